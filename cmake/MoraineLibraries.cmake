@@ -1,0 +1,21 @@
+# moraine_libraries: everything we use of others. On Debian, tools/install_packages.sh installs it.
+find_package(OpenMP REQUIRED COMPONENTS CXX)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(pugixml REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
+
+# UDUNITS-2 ships no CMake package, and CLI11 is only headers.
+find_path(UDUNITS2_INCLUDE_DIR udunits2.h PATH_SUFFIXES udunits2 REQUIRED)
+find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
+find_path(CLI11_INCLUDE_DIR CLI/CLI.hpp REQUIRED)
+
+add_library(moraine_libraries INTERFACE)
+target_include_directories(moraine_libraries SYSTEM INTERFACE
+  "${UDUNITS2_INCLUDE_DIR}" "${CLI11_INCLUDE_DIR}")
+target_link_libraries(moraine_libraries INTERFACE
+  OpenMP::OpenMP_CXX fmt::fmt spdlog::spdlog tomlplusplus::tomlplusplus
+  nlohmann_json::nlohmann_json pugixml::pugixml PkgConfig::CAIRO "${UDUNITS2_LIBRARY}")

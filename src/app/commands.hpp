@@ -1,0 +1,26 @@
+// The commands of the program; each returns the exit code of the process.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace moraine {
+
+/// Exit codes: 0 done, 1 a check failed or something unexpected, 2 bad input, 3 the run became
+/// unstable, 130 interrupted.
+enum ExitCode : int { done = 0, failed = 1, bad_input = 2, unstable = 3, interrupted = 130 };
+
+struct RunOptions {
+  std::string case_file;
+  std::string output;
+  int threads = 0;  // 0: all
+};
+int run_case(RunOptions const& options);
+
+struct PlotOptions {
+  std::string folder;
+  std::string field = "pressure";
+};
+int plot_folder(PlotOptions const& options);
+
+}  // namespace moraine

@@ -1,0 +1,104 @@
+// moraine run: one case from start to end.
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+
+#include "app/commands.hpp"
+#include "base/simd.hpp"
+#include "output/progress.hpp"
+#include "output/run_recorder.hpp"
+#include "output/timing_table.hpp"
+#include "output/vtp_writer.hpp"
+#include "setup/build_model.hpp"
+#include "setup/read_case.hpp"
+#include "step/simulation_error.hpp"
+
+namespace moraine {
+namespace {
+
+volatile std::sig_atomic_t stop_requested = 0;
+
+void request_stop(int) { stop_requested = 1; }
+
+std::string default_output(std::string const& case_file) {
+  auto const path = std::filesystem::absolute(case_file);
+  std::string const name = path.stem() == "case" ? path.parent_path().filename().string()
+                                                 : path.stem().string();
+  return "out/" + name;
+}
+
+void say_start(Case const& c, Simulation const& simulation, int threads) {
+  auto const& store = simulation.particles();
+  fmt::print(
+      "{}\n{}D, {} fluid and {} wall particles, spacing {:.4g} m, h {:.4g} m, kernel {}, {} threads, "
+      "{}\n",
+      c.title.empty() ? c.file : c.title, c.dimension, store.range(Kind::fluid).size(),
+      store.range(Kind::wall).size(), c.numerics.spacing, c.numerics.smoothing_length(),
+      kernel_name(c.numerics.kernel), threads, simd_flavour);
+}
+
+ProgressReport report(Simulation const& simulation) {
+  return {simulation.time(),
+          simulation.model().time.end,
+          simulation.step(),
+          simulation.time_step(),
+          simulation.vote().reason,
+          simulation.particles().range(Kind::fluid).size()};
+}
+
+void say_end(Simulation const& simulation, std::string const& reason, double seconds,
+             std::string const& output) {
+  fmt::print("\n{}: time {:.6g} s, {} steps in {:.2f} s\n", reason, simulation.time(),
+             simulation.step(), seconds);
+  if (simulation.lost().count > 0)
+    fmt::print("{} particles left the domain and were removed ({:.4g} kg, {:.4g} J)\n",
+               simulation.lost().count, simulation.lost().mass, simulation.lost().energy);
+  fmt::print("\n{}\nresults in {}: particles.pvd (ParaView), gauges.csv, sums.csv; pictures: "
+             "moraine plot {}\n",
+             timing_table(simulation.timers(), seconds), output, output);
+}
+
+}  // namespace
+
+int run_case(RunOptions const& options) {
+  using Clock = std::chrono::steady_clock;
+  if (options.threads > 0) omp_set_num_threads(options.threads);
+  int const threads = omp_get_max_threads();
+  Case const c = read_case(options.case_file);
+  std::string const output =
+      options.output.empty() ? default_output(options.case_file) : options.output;
+  auto const start = Clock::now();
+  auto const seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+
+  Simulation simulation(build_model(c));
+  RunRecorder recorder(c, simulation, output, threads);
+  say_start(c, simulation, threads);
+  std::signal(SIGINT, request_stop);
+  std::signal(SIGTERM, request_stop);
+  Progress progress;
+  try {
+    while (simulation.running() && stop_requested == 0) {
+      simulation.advance();
+      recorder.tell(simulation);
+      progress.update(report(simulation));
+    }
+  } catch (SimulationError const& error) {
+    progress.clear();
+    auto const snapshot = std::filesystem::path(output) / "unstable.vtp";
+    write_vtp(snapshot, simulation.particles(), Kind::fluid, simulation.time());
+    recorder.finish(simulation, error.what(), seconds());
+    fmt::print(stderr, "{}\nthe particles as they were: {}\n", error.what(), snapshot.string());
+    return ExitCode::unstable;
+  }
+  progress.finish();
+  bool const stopped = stop_requested != 0;
+  std::string const reason = stopped ? "interrupted" : "end time reached";
+  recorder.finish(simulation, reason, seconds());
+  say_end(simulation, reason, seconds(), output);
+  return stopped ? ExitCode::interrupted : ExitCode::done;
+}
+
+}  // namespace moraine

@@ -1,0 +1,127 @@
+#include "output/plot/axis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace moraine::plot {
+namespace {
+
+constexpr double tick_length = 3.0;    // pt
+constexpr double tick_gap = 6.0;       // pt, from the axis to the numbers
+constexpr double label_offset = 12.0;  // pt, from the left end of the room to the label's middle
+
+struct Step {
+  double size;
+  int decimals;
+};
+
+Step round_step(double length, int most) {
+  double const raw = length / std::max(most, 1);
+  int const exponent = static_cast<int>(std::floor(std::log10(raw)));
+  double const power = std::pow(10.0, exponent);
+  for (double const factor : {1.0, 2.0, 2.5, 5.0})
+    if (factor * power >= raw * (1.0 - 1e-9))
+      return {factor * power, std::max(0, factor == 2.5 ? 1 - exponent : -exponent)};
+  return {10.0 * power, std::max(0, -exponent - 1)};
+}
+
+}  // namespace
+
+Ticks round_ticks(double low, double high, int most) {
+  Ticks ticks;
+  if (!(high > low)) return ticks;
+  Step const step = round_step(high - low, most);
+  double const slack = 1e-9 * (high - low);
+  for (double k = std::ceil((low - slack) / step.size); k * step.size <= high + slack; k += 1.0) {
+    std::string const digits = fmt::format("{:.{}f}", std::abs(k * step.size), step.decimals);
+    ticks.values.push_back(k * step.size);
+    ticks.labels.push_back(k < 0.0 ? "−" + digits : digits);
+  }
+  return ticks;
+}
+
+Axis axis_around(double low, double high, double margin, std::string label) {
+  if (!(high > low)) {
+    double const half = low == 0.0 ? 1.0 : 0.05 * std::abs(low);
+    return {low - half, high + half, std::move(label)};
+  }
+  double const length = high - low;
+  double const extra = margin * length;
+  bool const zero_below = low >= 0.0 && low <= 0.3 * length;
+  bool const zero_above = high <= 0.0 && -high <= 0.3 * length;
+  return {zero_below ? 0.0 : low - extra, zero_above ? 0.0 : high + extra, std::move(label)};
+}
+
+Axis rounded_out(Axis axis) {
+  double const length = axis.high - axis.low;
+  double const step = round_step(length, 8).size;
+  double const low = std::floor(axis.low / step) * step, high = std::ceil(axis.high / step) * step;
+  if (axis.low - low < 0.02 * length) axis.low = low;
+  if (high - axis.high < 0.02 * length) axis.high = high;
+  return axis;
+}
+
+std::string heading(std::string_view name) {
+  std::string text(name);
+  std::replace(text.begin(), text.end(), '_', ' ');
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+std::string axis_label(std::string_view name, std::string_view unit) {
+  return unit.empty() ? heading(name) : fmt::format("{} ({})", heading(name), unit);
+}
+
+Ticks Panel::x_ticks() const {
+  return round_ticks(x_.low, x_.high, std::max(2, static_cast<int>(area_.width / 55.0)));
+}
+
+Ticks Panel::y_ticks() const {
+  return round_ticks(y_.low, y_.high, std::max(2, static_cast<int>(area_.height / 26.0)));
+}
+
+void Panel::draw_grid(Canvas& canvas) const {
+  for (double const x : x_ticks().values)
+    canvas.line(page_x(x), area_.top, page_x(x), area_.bottom(), grid_grey, 0.6);
+  for (double const y : y_ticks().values)
+    canvas.line(area_.left, page_y(y), area_.right(), page_y(y), grid_grey, 0.6);
+}
+
+double Panel::y_label_room() const {
+  double widest = 0.0;
+  for (std::string const& label : y_ticks().labels)
+    widest = std::max(widest, text_width(label, tick_style));
+  return tick_gap + widest + 2.0 * label_offset;
+}
+
+void Panel::draw_axes(Canvas& canvas, PanelText const& text, double room) const {
+  canvas.outline(area_, ink, 0.7);
+  TextStyle x_style = tick_style;
+  x_style.align = Align::center;
+  Ticks const along_x = x_ticks();
+  for (std::size_t i = 0; i < along_x.values.size(); ++i) {
+    double const x = page_x(along_x.values[i]);
+    canvas.line(x, area_.bottom(), x, area_.bottom() + tick_length, ink, 0.7);
+    if (text.x_labels) canvas.text(x, area_.bottom() + 10.0, along_x.labels[i], x_style);
+  }
+  TextStyle y_style = tick_style;
+  y_style.align = Align::right;
+  Ticks const along_y = y_ticks();
+  for (std::size_t i = 0; i < along_y.values.size(); ++i) {
+    double const y = page_y(along_y.values[i]);
+    canvas.line(area_.left - tick_length, y, area_.left, y, ink, 0.7);
+    if (text.y_labels) canvas.text(area_.left - tick_gap, y, along_y.labels[i], y_style);
+  }
+  TextStyle style = label_style;
+  style.align = Align::center;
+  if (text.x_labels)
+    canvas.text(area_.left + area_.width / 2.0, area_.bottom() + 25.0, x_.label, style);
+  style.upward = true;
+  if (text.y_labels)
+    canvas.text(area_.left - room + label_offset, area_.top + area_.height / 2.0, y_.label, style);
+}
+
+}  // namespace moraine::plot

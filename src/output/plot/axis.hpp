@@ -1,0 +1,79 @@
+// Axes: round ticks, labels, and the map from values to the page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output/plot/canvas.hpp"
+
+namespace moraine::plot {
+
+/// Marks at round values within [low, high] and their texts, all with the same decimals.
+struct Ticks {
+  std::vector<double> values;
+  std::vector<std::string> labels;
+};
+
+/// At most `most` + 1 ticks, at multiples of 1, 2, 2.5 or 5 times a power of ten.
+Ticks round_ticks(double low, double high, int most);
+
+/// Interval of displayed values, with its label.
+struct Axis {
+  double low = 0.0;
+  double high = 1.0;
+  std::string label;  // "Pressure (MPa)"
+};
+
+/// The interval that shows all values from low to high with a margin of `margin` of its length;
+/// zero is included where it is near, and an empty interval is widened.
+Axis axis_around(double low, double high, double margin, std::string label);
+
+/// The same axis with each end moved out to a round value where one lies within 2 % of its length.
+Axis rounded_out(Axis axis);
+
+/// "wall_pressure" becomes "Wall pressure".
+std::string heading(std::string_view name);
+
+/// "Pressure (MPa)"; the name alone for an empty unit.
+std::string axis_label(std::string_view name, std::string_view unit);
+
+/// Which of its labels a panel writes.
+struct PanelText {
+  bool x_labels = true;
+  bool y_labels = true;
+};
+
+/// A plotting area with its axes.
+class Panel {
+ public:
+  Panel(Rect const& area, Axis x, Axis y) : area_(area), x_(std::move(x)), y_(std::move(y)) {}
+
+  Rect const& area() const { return area_; }
+  double page_x(double x) const {
+    return area_.left + (x - x_.low) / (x_.high - x_.low) * area_.width;
+  }
+  double page_y(double y) const {
+    return area_.bottom() - (y - y_.low) / (y_.high - y_.low) * area_.height;
+  }
+
+  /// Grid lines, below the data.
+  void draw_grid(Canvas& canvas) const;
+  /// Axis lines, ticks and labels, above the data. The rotated label stands at the left end of the
+  /// `room` [pt] to the left of the area.
+  void draw_axes(Canvas& canvas, PanelText const& text, double room) const;
+  /// Room that ticks and label need to the left of the area [pt].
+  double y_label_room() const;
+
+ private:
+  Ticks x_ticks() const;
+  Ticks y_ticks() const;
+
+  Rect area_;
+  Axis x_;
+  Axis y_;
+};
+
+inline constexpr TextStyle tick_style{.size = 8.5, .color = ink};
+inline constexpr TextStyle label_style{.size = 9.5, .color = ink};
+
+}  // namespace moraine::plot

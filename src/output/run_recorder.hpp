@@ -1,0 +1,65 @@
+// Everything a run writes into its folder, and when each piece is due.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "output/manifest.hpp"
+#include "output/pvd_collection.hpp"
+#include "output/table_csv.hpp"
+#include "setup/case.hpp"
+#include "step/simulation.hpp"
+
+namespace moraine {
+
+/// Times at which something is due: multiples of an interval, listed times; every step when the
+/// interval is zero. A due time is met by the first step at or after it, so that output never
+/// changes a time step.
+class Schedule {
+ public:
+  Schedule(double interval, std::vector<double> times, bool every_step);
+
+  /// True when something is due at this time; then advances to the next.
+  bool due(double time);
+
+ private:
+  double interval_;
+  std::vector<double> times_;
+  bool every_step_;
+  double next_ = 0.0;
+  std::size_t next_listed_ = 0;
+};
+
+/// Writes frames, gauges, conserved sums, the used case and the manifest of one run.
+class RunRecorder {
+ public:
+  /// Makes the folder, clears frames and tables of an earlier run in it, writes the used case, the
+  /// manifest, the walls and the state at the start.
+  RunRecorder(Case const& c, Simulation const& simulation, std::filesystem::path folder,
+              int threads);
+
+  /// Call after each step.
+  void tell(Simulation const& simulation);
+
+  /// Writes the last state and the end into the manifest. `reason`: why the run ended.
+  void finish(Simulation const& simulation, std::string const& reason, double wall_time);
+
+ private:
+  void write_frame(Simulation const& simulation);
+  void write_gauges(Simulation const& simulation);
+  void write_sums(Simulation const& simulation);
+
+  Case case_;
+  std::filesystem::path folder_;
+  Manifest manifest_;
+  PvdCollection frames_;
+  TableCsv gauges_;
+  TableCsv sums_;
+  Schedule frame_schedule_, gauge_schedule_, sums_schedule_;
+  std::size_t frame_count_ = 0;
+  double last_frame_time_ = -1.0;
+};
+
+}  // namespace moraine

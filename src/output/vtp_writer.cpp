@@ -1,0 +1,159 @@
+#include "output/vtp_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "output/atomic_file.hpp"
+
+namespace moraine {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "blocks are copies of memory");
+
+constexpr Field written_fields[] = {Field::velocity,        Field::density,     Field::pressure,
+                                    Field::specific_energy, Field::sound_speed, Field::mass};
+
+constexpr char unit_key[] =
+    R"(><InformationKey name="UNITS_LABEL" location="vtkDataArray">{}</InformationKey></DataArray>
+)";
+
+constexpr char file_head[] = R"(<?xml version="1.0"?>
+<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+<PolyData>
+<FieldData>
+<DataArray type="Float64" Name="TimeValue" NumberOfTuples="1" format="ascii">{}</DataArray>
+<DataArray type="Int32" Name="dimension" NumberOfTuples="1" format="ascii">{}</DataArray>
+</FieldData>
+<Piece NumberOfPoints="{}" NumberOfVerts="{}" NumberOfLines="0" NumberOfStrips="0"
+ NumberOfPolys="0">
+<PointData Scalars="pressure" Vectors="velocity">
+)";
+
+/// One array of the file: what the header says about it, and how to write its numbers.
+struct Block {
+  std::string_view type;
+  std::string name;
+  std::string unit;
+  int components;
+  std::uint64_t bytes;
+  std::function<void(std::ostream&)> write;
+};
+
+template <class T>
+void write_numbers(std::ostream& stream, std::vector<T> const& numbers) {
+  stream.write(reinterpret_cast<char const*>(numbers.data()),
+               static_cast<std::streamsize>(numbers.size() * sizeof(T)));
+}
+
+class FrameWriter {
+ public:
+  FrameWriter(ParticleStore const& store, Kind kind)
+      : store_(store), kind_(kind), range_(store.range(kind)) {}
+
+  void write(std::ostream& stream, double time);
+
+ private:
+  Block field_block(Field field) const;
+  template <class T, class Value>
+  Block block(std::string_view type, std::string name, Value value) const;
+  std::string declare(Block const& block);
+
+  ParticleStore const& store_;
+  Kind kind_;
+  Range range_;
+  std::uint64_t offset_ = 0;  // of the next block, counted from behind the underscore
+};
+
+Block FrameWriter::field_block(Field field) const {
+  FieldInfo const& about = info(field);
+  int const components = about.rank == Rank::vector ? 3 : 1;
+  int const stored = about.rank == Rank::vector ? store_.dimension() : 1;
+  auto const stride = static_cast<std::size_t>(components);
+  auto const write = [this, field, stored, stride](std::ostream& stream) {
+    std::vector<float> numbers(range_.size() * stride);
+    for (int axis = 0; axis < stored; ++axis) {
+      auto const from = store_.component(field, axis).subspan(range_.begin, range_.size());
+      for (std::size_t i = 0; i < from.size(); ++i)
+        numbers[i * stride + static_cast<std::size_t>(axis)] = static_cast<float>(from[i]);
+    }
+    write_numbers(stream, numbers);
+  };
+  return {"Float32",
+          std::string(about.name),
+          std::string(about.unit),
+          components,
+          range_.size() * stride * sizeof(float),
+          write};
+}
+
+template <class T, class Value>
+Block FrameWriter::block(std::string_view type, std::string name, Value value) const {
+  auto const write = [this, value](std::ostream& stream) {
+    std::vector<T> numbers(range_.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = value(i);
+    write_numbers(stream, numbers);
+  };
+  return {type, std::move(name), "", 1, range_.size() * sizeof(T), write};
+}
+
+std::string FrameWriter::declare(Block const& block) {
+  std::string text = fmt::format(
+      R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}")",
+      block.type, block.name, block.components, offset_);
+  offset_ += sizeof(std::uint64_t) + block.bytes;
+  if (block.unit.empty()) return text + "/>\n";
+  return text + fmt::format(unit_key, block.unit);
+}
+
+void FrameWriter::write(std::ostream& stream, double time) {
+  std::vector<Block> blocks;
+  blocks.push_back(field_block(Field::position));
+  for (Field const field : written_fields) blocks.push_back(field_block(field));
+  std::size_t const first = range_.begin;
+  blocks.push_back(block<std::uint8_t>(
+      "UInt8", "material", [this, first](std::size_t i) { return store_.material()[first + i]; }));
+  blocks.push_back(block<std::uint8_t>(
+      "UInt8", "kind", [this](std::size_t) { return static_cast<std::uint8_t>(kind_); }));
+  blocks.push_back(block<std::uint64_t>(
+      "UInt64", "id", [this, first](std::size_t i) { return store_.id()[first + i]; }));
+  blocks.push_back(block<std::int64_t>("Int64", "connectivity",
+                                       [](std::size_t i) { return static_cast<std::int64_t>(i); }));
+  blocks.push_back(block<std::int64_t>(
+      "Int64", "offsets", [](std::size_t i) { return static_cast<std::int64_t>(i + 1); }));
+
+  std::string point_data;
+  std::string const points = declare(blocks.front());
+  for (std::size_t i = 1; i + 2 < blocks.size(); ++i) point_data += declare(blocks[i]);
+  std::string const connectivity = declare(blocks[blocks.size() - 2]);
+  std::string const offsets = declare(blocks.back());
+
+  stream << fmt::format(file_head, time, store_.dimension(), range_.size(), range_.size())
+         << point_data << "</PointData>\n<Points>\n"
+         << points << "</Points>\n<Verts>\n"
+         << connectivity << offsets
+         << "</Verts>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
+  for (Block const& block : blocks) {
+    stream.write(reinterpret_cast<char const*>(&block.bytes), sizeof block.bytes);
+    block.write(stream);
+  }
+  stream << "\n</AppendedData>\n</VTKFile>\n";
+}
+
+}  // namespace
+
+void write_vtp(std::filesystem::path const& path, ParticleStore const& store, Kind kind,
+               double time) {
+  AtomicFile file(path);
+  FrameWriter(store, kind).write(file.stream(), time);
+  file.commit();
+}
+
+}  // namespace moraine

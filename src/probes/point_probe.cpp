@@ -1,0 +1,92 @@
+#include "probes/point_probe.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel_for.hpp"
+
+namespace moraine {
+namespace {
+
+struct Sums {
+  double weight = 0.0;
+  PointState state{};
+};
+
+Sums combine(Sums a, Sums const& b) {
+  a.weight += b.weight;
+  a.state.pressure += b.state.pressure;
+  a.state.density += b.state.density;
+  a.state.specific_energy += b.state.specific_energy;
+  for (std::size_t k = 0; k < 3; ++k) a.state.velocity[k] += b.state.velocity[k];
+  return a;
+}
+
+template <int D, class Kernel>
+Sums interpolate(ParticleStore const& store, double h, std::array<double, 3> const& x) {
+  auto const add = [&](std::size_t begin, std::size_t end) {
+    Sums sums;
+    for (std::size_t i = begin; i < end; ++i) {
+      double distance2 = 0.0;
+      for (int axis = 0; axis < D; ++axis) {
+        double const d =
+            x[static_cast<std::size_t>(axis)] - store.component(Field::position, axis)[i];
+        distance2 += d * d;
+      }
+      if (distance2 >= kernel_support * kernel_support * h * h) continue;
+      double const w = Kernel::shape(std::sqrt(distance2) / h) * store.scalar(Field::mass)[i] /
+                       store.scalar(Field::density)[i];
+      sums.weight += w;
+      sums.state.pressure += w * store.scalar(Field::pressure)[i];
+      sums.state.density += w * store.scalar(Field::density)[i];
+      sums.state.specific_energy += w * store.scalar(Field::specific_energy)[i];
+      for (int axis = 0; axis < D; ++axis)
+        sums.state.velocity[static_cast<std::size_t>(axis)] +=
+            w * store.component(Field::velocity, axis)[i];
+    }
+    return sums;
+  };
+  return reduce_blocks(store.range(Kind::fluid).size(), Sums{}, add, combine);
+}
+
+template <int D>
+Sums with_kernel(ParticleStore const& store, KernelName kernel, double h,
+                 std::array<double, 3> const& x) {
+  return kernel == KernelName::cubic_spline ? interpolate<D, CubicSpline<D>>(store, h, x)
+                                            : interpolate<D, WendlandC2<D>>(store, h, x);
+}
+
+}  // namespace
+
+PointState probe_point(ParticleStore const& store, KernelName kernel, double h,
+                       std::array<double, 3> const& x) {
+  Sums sums;
+  if (store.dimension() == 1) sums = with_kernel<1>(store, kernel, h, x);
+  if (store.dimension() == 2) sums = with_kernel<2>(store, kernel, h, x);
+  if (store.dimension() == 3) sums = with_kernel<3>(store, kernel, h, x);
+  double const inverse =
+      sums.weight > 0.0 ? 1.0 / sums.weight : std::numeric_limits<double>::quiet_NaN();
+  PointState state = sums.state;
+  state.pressure *= inverse;
+  state.density *= inverse;
+  state.specific_energy *= inverse;
+  for (double& v : state.velocity) v *= inverse;
+  return state;
+}
+
+double probe_front(ParticleStore const& store, MaterialId material, int axis, int direction) {
+  auto const x = store.component(Field::position, axis);
+  auto const farthest = [&](std::size_t begin, std::size_t end) {
+    double most = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = begin; i < end; ++i)
+      if (store.material()[i] == material) most = std::max(most, direction * x[i]);
+    return most;
+  };
+  double const most =
+      reduce_blocks(store.range(Kind::fluid).size(), -std::numeric_limits<double>::infinity(),
+                    farthest, [](double a, double b) { return std::max(a, b); });
+  return std::isfinite(most) ? direction * most : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace moraine

@@ -1,0 +1,58 @@
+// How far points have moved against their neighbours since the lists were made.
+//
+// A list with a skin stays complete while no two points that could be neighbours have moved against
+// each other by more than the skin. The bound is local: the water of a fast, smooth stream keeps its
+// list although it travels far. Boxes of displacement are kept per coarse cell (edge >= the list
+// radius) and compared with those of the cells around.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "search/cell_grid.hpp"
+
+namespace moraine {
+
+class DisplacementBound {
+ public:
+  /// Takes the reference positions [axis][point], already sorted along `grid` (entry k is point k
+  /// for owned points), and where walls are. radius in units. `local` false: neighbours may lie
+  /// across a periodic side, so the bound is taken over all cells.
+  void reset(CellGrid const& fluid, CellGrid const& walls, std::size_t owned, double radius,
+             bool local, std::array<std::span<Units const>, 3> const& positions);
+
+  /// Largest possible relative displacement [units] of two neighbouring points.
+  struct Largest {
+    double fluid = 0.0;  // two fluid points
+    double wall = 0.0;   // a fluid point and a wall point
+  };
+  Largest largest(std::array<std::span<Units const>, 3> const& positions);
+
+  /// True where a fluid point of this coarse cell may have wall neighbours.
+  bool near_wall(UnitPoint const& x) const { return near_wall_[coarse_cell(x)] != 0; }
+
+  std::size_t bytes() const;
+
+ private:
+  struct Boxes {
+    std::array<std::vector<float>, 3> low, high;  // [axis][coarse cell], units
+  };
+  std::size_t coarse_cell(UnitPoint const& x) const;
+  void collect(std::array<std::span<Units const>, 3> const& positions);
+  void spread(int axis);
+  void spread_everywhere();
+
+  int dimension_ = 3;
+  std::size_t owned_ = 0;
+  bool local_ = true;
+  GridShape coarse_;
+  std::vector<std::uint32_t> order_;  // owned points by coarse cell
+  std::vector<std::uint32_t> start_;  // [coarse cell]
+  std::array<std::vector<Units>, 3> reference_;
+  std::vector<std::uint8_t> near_wall_;
+  Boxes own_, around_, scratch_;
+};
+
+}  // namespace moraine

@@ -1,0 +1,84 @@
+// The neighbour search of a run: orders the store by cells, makes the lists and keeps them valid.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "search/cell_grid.hpp"
+#include "search/displacement.hpp"
+#include "search/fixed_point.hpp"
+#include "search/neighbour_list.hpp"
+#include "search/periodic_images.hpp"
+#include "store/particle_store.hpp"
+
+namespace moraine {
+
+/// What the search must find: all pairs closer than `support` [m].
+struct SearchSettings {
+  int dimension = 3;
+  double support = 0.0;  // m
+  FixedPoint fixed_point;
+  Periodicity periodicity;
+};
+
+/// How far the lists reach beyond the support [m], chosen anew at each rebuild.
+struct Skins {
+  double fluid = 0.0;
+  double wall = 0.0;
+};
+
+/// Lists live as long as no two neighbours can have moved by the skin against each other; the skins
+/// are chosen at each rebuild from the motion seen so far, so that rebuilding and the longer lists
+/// cost about the same. Everything is a pure function of the particles' history, hence the same for
+/// any number of threads.
+///
+/// Indices in the lists count the points of a kind from zero, owned points first, then images.
+class Search {
+ public:
+  explicit Search(SearchSettings const& settings);
+
+  /// Makes the lists valid for the positions in the store; returns true when they were rebuilt, in
+  /// which case the store has been re-sorted.
+  bool refresh(ParticleStore& store);
+
+  NeighbourList const& fluid_fluid() const { return fluid_fluid_; }
+  NeighbourList const& fluid_wall() const { return fluid_wall_; }
+  NeighbourList const& wall_fluid() const { return wall_fluid_; }
+  std::vector<Image> const& images(Kind kind) const { return points(kind).images; }
+  SearchSettings const& settings() const { return settings_; }
+  Skins const& skins() const { return skins_; }
+  std::uint64_t rebuilds() const { return rebuilds_; }
+  std::size_t bytes() const;
+
+ private:
+  struct Points {
+    std::array<std::vector<Units>, 3> x;  // owned, then images
+    std::vector<std::uint64_t> key;
+    std::vector<Image> images;
+    CellGrid grid;
+    std::array<std::span<Units const>, 3> spans() const { return {x[0], x[1], x[2]}; }
+  };
+  Points const& points(Kind kind) const { return points_[static_cast<std::size_t>(kind)]; }
+  Points& points(Kind kind) { return points_[static_cast<std::size_t>(kind)]; }
+
+  void read_units(ParticleStore const& store, Kind kind);
+  void wrap(ParticleStore& store) const;
+  void sort(ParticleStore& store);
+  void choose_skins();
+  void rebuild(ParticleStore& store);
+  template <int D>
+  void make_lists();
+
+  SearchSettings settings_;
+  std::array<Points, kind_count> points_;
+  NeighbourList fluid_fluid_, fluid_wall_, wall_fluid_;
+  DisplacementBound displacement_;
+  DisplacementBound::Largest seen_;
+  Skins skins_;
+  std::vector<std::uint32_t> order_;
+  std::uint64_t steps_since_rebuild_ = 0;
+  std::uint64_t rebuilds_ = 0;
+};
+
+}  // namespace moraine

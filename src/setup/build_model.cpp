@@ -1,0 +1,83 @@
+#include "setup/build_model.hpp"
+
+#include <cmath>
+
+#include "base/input_error.hpp"
+#include "setup/fill.hpp"
+#include "walls/dummy_layer.hpp"
+
+namespace moraine {
+namespace {
+
+void set_vector(ParticleStore& store, Field field, std::size_t i, Point const& value) {
+  for (int axis = 0; axis < store.dimension(); ++axis)
+    store.component(field, axis)[i] = value[static_cast<std::size_t>(axis)];
+}
+
+void add_fluid(Case const& c, Model& model) {
+  ParticleStore& store = model.particles;
+  for (Seed const& seed : fill_regions(c)) {
+    std::size_t const i = store.append(Kind::fluid, seed.material);
+    set_vector(store, Field::position, i, seed.position);
+    set_vector(store, Field::velocity, i, seed.velocity);
+    store.scalar(Field::density)[i] = seed.density;
+    store.scalar(Field::specific_energy)[i] = seed.specific_energy;
+    store.scalar(Field::mass)[i] = seed.mass;
+  }
+}
+
+BoxWall box_wall(Case const& c, WallSpec const& spec) {
+  BoxWall wall;
+  wall.dimension = c.dimension;
+  wall.min = spec.box.min;
+  wall.max = spec.box.max;
+  wall.solid = spec.form == WallForm::container ? SolidSide::outside : SolidSide::inside;
+  wall.open = spec.open;
+  wall.free_slip = spec.slip == Slip::free;
+  wall.periodic = {c.periodic, c.domain.min, c.domain.max};
+  return wall;
+}
+
+void add_walls(Case const& c, Model& model) {
+  ParticleStore& store = model.particles;
+  model.walls.first_id = store.size();
+  double const density = reference_density(model.materials.front().eos);
+  int const layers =
+      static_cast<int>(std::ceil(kernel_support * c.numerics.smoothing_factor - 1e-9));
+  std::uint32_t surface = 0;
+  for (WallSpec const& spec : c.walls) {
+    for (Dummy const& dummy :
+         make_dummy_layer(box_wall(c, spec), c.numerics.spacing, layers, surface)) {
+      std::size_t const i = store.append(Kind::wall, no_material);
+      set_vector(store, Field::position, i, dummy.position);
+      store.scalar(Field::density)[i] = density;
+      model.walls.normal.push_back(dummy.normal);
+    }
+    ++surface;
+  }
+}
+
+}  // namespace
+
+Model build_model(Case const& c) {
+  Model model;
+  model.dimension = c.dimension;
+  model.domain_min = c.domain.min;
+  model.domain_max = c.domain.max;
+  model.periodic = c.periodic;
+  model.gravity = c.gravity;
+  model.numerics = c.numerics;
+  model.time = c.time;
+  for (MaterialSpec const& material : c.materials)
+    model.materials.push_back({material.name, material.eos});
+  model.particles = ParticleStore(c.dimension);
+  add_fluid(c, model);
+  try {
+    add_walls(c, model);
+  } catch (std::invalid_argument const& error) {
+    throw InputErrors({{c.file, 0, 0, "wall", "", error.what(), ""}});
+  }
+  return model;
+}
+
+}  // namespace moraine

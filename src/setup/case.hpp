@@ -1,0 +1,115 @@
+// A case as plain data: what the case file says, checked and in SI units.
+//
+// Nothing here knows about TOML or about particles. `setup/read_case` makes a Case from a file,
+// `setup/build_model` makes particles and walls from a Case. Points and vectors always have three
+// components; those beyond `dimension` are zero.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "matter/eos/eos.hpp"
+#include "step/settings.hpp"
+
+namespace moraine {
+
+using Point = std::array<double, 3>;  // m
+
+/// Axis-aligned box between two corners (an interval in 1D, a rectangle in 2D).
+struct Box {
+  Point min{};
+  Point max{};
+};
+
+/// Disc in 2D, ball in 3D, interval in 1D.
+struct Disc {
+  Point center{};
+  double radius = 0.0;  // m
+};
+
+/// All points x with (x - point) . normal <= 0: the normal points out of the filled side.
+struct HalfPlane {
+  Point point{};
+  Point normal{};  // unit length after reading
+};
+
+using Shape = std::variant<Box, Disc, HalfPlane>;
+
+/// What the particles of a region start with. At most one of pressure, hydrostatic_level is given;
+/// absent values follow from the material: reference density, reference specific energy.
+struct InitialState {
+  Point velocity{};                       // m/s
+  std::optional<double> density;          // kg/m^3
+  std::optional<double> specific_energy;  // J/kg
+  std::optional<double> pressure;         // Pa; density or energy is solved for it
+  std::optional<double> hydrostatic_level;  // m, height of the free surface against gravity
+};
+
+/// A named material: its equation of state and reference state.
+struct MaterialSpec {
+  std::string name;
+  Eos eos;
+};
+
+/// Particles of one material on the lattice points of a shape. A later region replaces an earlier
+/// one where they overlap.
+struct RegionSpec {
+  std::string name;
+  std::string material;
+  Shape shape;
+  InitialState initial;
+};
+
+enum class WallForm : std::uint8_t { container, solid };  // fluid inside the box | outside of it
+enum class Slip : std::uint8_t { free, none };
+
+/// A fixed rigid wall: the faces of a box. `open` lists sides without a wall ("z+" = the top).
+struct WallSpec {
+  std::string name;
+  WallForm form = WallForm::container;
+  Box box;
+  std::array<std::array<bool, 2>, 3> open{};  // [axis][0: minus side, 1: plus side]
+  Slip slip = Slip::free;
+};
+
+enum class GaugeKind : std::uint8_t { point, front };
+
+/// `point`: Shepard-interpolated pressure, density, velocity and energy at a fixed place.
+/// `front`: the farthest particle position of a material along an axis.
+struct GaugeSpec {
+  std::string name;
+  GaugeKind kind = GaugeKind::point;
+  Point position{};      // point
+  std::string material;  // front
+  int axis = 0;          // front
+  int direction = +1;    // front: +1 the largest coordinate, -1 the smallest
+};
+
+struct OutputSpec {
+  double frame_interval = 0.0;       // s; 0: only the first and the last frame
+  std::vector<double> frame_times;   // s; extra frames
+  double gauge_interval = 0.0;       // s; 0: every step
+  double sums_interval = 0.0;        // s; 0: every step
+};
+
+struct Case {
+  std::string title;
+  std::string file;  // as given by the user
+  int dimension = 2;
+  Box domain{};  // particles that leave it are counted and removed
+  std::array<bool, 3> periodic{};
+  Point gravity{};  // m/s^2
+  Numerics numerics;
+  TimeSpec time;
+  OutputSpec output;
+  std::vector<MaterialSpec> materials;
+  std::vector<RegionSpec> regions;
+  std::vector<WallSpec> walls;
+  std::vector<GaugeSpec> gauges;
+};
+
+}  // namespace moraine

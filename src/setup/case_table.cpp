@@ -1,0 +1,181 @@
+// The table of parameters outside materials, regions, walls and gauges; and the table as a whole.
+#include <limits>
+#include <vector>
+
+#include "setup/parameter_table.hpp"
+
+namespace moraine {
+namespace {
+
+constexpr auto numerics = &Case::numerics;
+constexpr auto time_part = &Case::time;
+constexpr auto output = &Case::output;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+void add_space(std::vector<Entry<Case>>& table) {
+  table.push_back(member<Case, &Case::title>(
+      {.key = "title", .type = ValueType::text, .meaning = "one line that names the case"}));
+  table.push_back(member<Case, &Case::dimension>(
+      {.key = "space.dimension",
+       .type = ValueType::integer,
+       .presence = Presence::required,
+       .limits = Limits::between(1.0, 3.0),
+       .meaning = "number of dimensions; 2D and 1D are per metre of thickness"}));
+  std::string_view const domain_note =
+      "the box around container walls and bounded regions, enlarged by its own extent on both "
+      "sides of every axis that is not periodic";
+  table.push_back(member<Case, &Case::domain, &Box::min>(
+      {.key = "space.domain.min",
+       .type = ValueType::vector,
+       .quantity = Quantity::length,
+       .presence = Presence::with_table,
+       .preset_note = domain_note,
+       .meaning = "lower corner of the domain; particles that leave it are counted and removed"}));
+  table.push_back(
+      member<Case, &Case::domain, &Box::max>({.key = "space.domain.max",
+                                              .type = ValueType::vector,
+                                              .quantity = Quantity::length,
+                                              .presence = Presence::with_table,
+                                              .preset_note = domain_note,
+                                              .meaning = "upper corner of the domain"}));
+  table.push_back(
+      member<Case, &Case::periodic>({.key = "space.periodic",
+                                     .type = ValueType::axes,
+                                     .preset = std::vector<int>{},
+                                     .meaning = "axes along which the domain repeats itself"}));
+  table.push_back(member<Case, &Case::gravity>(
+      {.key = "physics.gravity",
+       .type = ValueType::vector,
+       .quantity = Quantity::acceleration,
+       .preset = Point{},
+       .meaning = "acceleration of every particle, constant in space and time"}));
+}
+
+void add_resolution(std::vector<Entry<Case>>& table) {
+  table.push_back(member<Case, numerics, &Numerics::spacing>(
+      {.key = "resolution.spacing",
+       .quantity = Quantity::length,
+       .presence = Presence::required,
+       .limits = Limits::positive(),
+       .meaning = "distance of neighbouring particles on the initial lattice"}));
+  table.push_back(member<Case, numerics, &Numerics::smoothing_factor>(
+      {.key = "resolution.smoothing_factor",
+       .preset = 1.2,
+       .limits = Limits::between(0.8, 4.0),
+       .meaning = "smoothing length divided by the spacing",
+       .source = "1.0 to 1.2 is usual for blast; Liu and Liu (2003)"}));
+  table.push_back(member<Case, numerics, &Numerics::kernel>(
+      {.key = "resolution.kernel",
+       .type = ValueType::choice,
+       .preset = static_cast<int>(KernelName::wendland_c2),
+       .names = {"cubic_spline", "wendland_c2"},
+       .meaning = "kernel function",
+       .source = "Wendland, Adv. Comput. Math. 4 (1995) 389"}));
+}
+
+void add_numerics(std::vector<Entry<Case>>& table) {
+  table.push_back(member<Case, numerics, &Numerics::precision>(
+      {.key = "numerics.precision",
+       .type = ValueType::choice,
+       .preset = static_cast<int>(Precision::mixed),
+       .names = {"mixed", "double"},
+       .meaning = "arithmetic of the pair sums; the state is double in both"}));
+  table.push_back(member<Case, numerics, &Numerics::density_diffusion>(
+      {.key = "numerics.density_diffusion",
+       .preset = 0.0,
+       .limits = Limits::not_negative(),
+       .meaning = "coefficient of the density diffusion term; 0: none"}));
+  table.push_back(member<Case, numerics, &Numerics::viscosity_alpha>(
+      {.key = "numerics.viscosity_alpha",
+       .preset = 1.0,
+       .limits = Limits::not_negative(),
+       .meaning = "linear coefficient of the artificial viscosity",
+       .source = "usual for blast"}));
+  table.push_back(member<Case, numerics, &Numerics::viscosity_beta>(
+      {.key = "numerics.viscosity_beta",
+       .preset = 10.0,
+       .limits = Limits::not_negative(),
+       .meaning = "quadratic coefficient of the artificial viscosity",
+       .source = "usual for blast"}));
+}
+
+void add_time(std::vector<Entry<Case>>& table) {
+  table.push_back(member<Case, time_part, &TimeSpec::end>({.key = "time.end",
+                                                           .quantity = Quantity::time,
+                                                           .presence = Presence::required,
+                                                           .limits = Limits::positive(),
+                                                           .meaning = "end of the simulation"}));
+  table.push_back(member<Case, time_part, &TimeSpec::courant>(
+      {.key = "time.courant",
+       .preset = 0.3,
+       .limits = {.min = 0.0, .max = 1.0, .min_excluded = true},
+       .meaning = "factor of h / signal speed and of sqrt(h / acceleration) in the time step"}));
+  table.push_back(member<Case, time_part, &TimeSpec::max_step>(
+      {.key = "time.max_step",
+       .quantity = Quantity::time,
+       .preset = infinity,
+       .limits = {.min = 0.0, .min_excluded = true, .infinity_allowed = true},
+       .meaning = "upper bound of the time step"}));
+  table.push_back(member<Case, time_part, &TimeSpec::fixed_step>(
+      {.key = "time.fixed_step",
+       .quantity = Quantity::time,
+       .preset = 0.0,
+       .limits = Limits::not_negative(),
+       .meaning = "constant time step; 0: chosen anew in every step"}));
+}
+
+void add_output(std::vector<Entry<Case>>& table) {
+  auto const interval = [](std::string_view key, std::string_view meaning) {
+    return Parameter{.key = key,
+                     .quantity = Quantity::time,
+                     .preset = 0.0,
+                     .limits = Limits::not_negative(),
+                     .meaning = meaning};
+  };
+  table.push_back(member<Case, output, &OutputSpec::frame_interval>(
+      interval("output.frames", "interval between frames; 0: only the first and the last")));
+  table.push_back(
+      member<Case, output, &OutputSpec::frame_times>({.key = "output.frame_times",
+                                                      .type = ValueType::reals,
+                                                      .quantity = Quantity::time,
+                                                      .preset = std::vector<double>{},
+                                                      .limits = Limits::not_negative(),
+                                                      .meaning = "times of additional frames"}));
+  table.push_back(member<Case, output, &OutputSpec::gauge_interval>(
+      interval("output.gauges", "interval between gauge readings; 0: every step")));
+  table.push_back(member<Case, output, &OutputSpec::sums_interval>(
+      interval("output.sums", "interval between conserved sums; 0: every step")));
+}
+
+std::vector<Entry<Case>> make_table() {
+  std::vector<Entry<Case>> table;
+  add_space(table);
+  add_resolution(table);
+  add_numerics(table);
+  add_time(table);
+  add_output(table);
+  return table;
+}
+
+}  // namespace
+
+std::span<Entry<Case> const> case_entries() {
+  static std::vector<Entry<Case>> const table = make_table();
+  return table;
+}
+
+std::vector<Parameter const*> all_parameters() {
+  std::vector<Parameter const*> all;
+  auto const append = [&all](auto const& entries) {
+    for (auto const& entry : entries) all.push_back(&entry.parameter);
+  };
+  append(case_entries());
+  append(material_entries());
+  append(region_entries());
+  append(wall_entries());
+  append(gauge_entries());
+  return all;
+}
+
+}  // namespace moraine

@@ -1,0 +1,191 @@
+#include "setup/check_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+#include "base/input_error.hpp"
+#include "setup/geometry.hpp"
+#include "setup/parameter.hpp"
+
+namespace moraine {
+namespace {
+
+class CaseCheck {
+ public:
+  CaseCheck(Case& c, ItemKeys const& keys, Source& source)
+      : case_(c), keys_(keys), source_(source) {}
+
+  void run() {
+    check_names(case_.regions, keys_.regions);
+    check_names(case_.walls, keys_.walls);
+    check_names(case_.gauges, keys_.gauges);
+    if (case_.regions.empty() && keys_.regions.empty() && !source_.has_problem("region"))
+      source_.report_key("region", {}, "is missing: a case needs at least one [[region]]");
+    if (case_.materials.size() > largest_material_count)
+      source_.report_key("material", {},
+                         fmt::format("has {} entries; {} are possible", case_.materials.size(),
+                                     largest_material_count));
+    for (std::size_t i = 0; i < case_.regions.size(); ++i)
+      check_region(case_.regions[i], keys_.regions[i] + '.');
+    for (std::size_t i = 0; i < case_.walls.size(); ++i) {
+      std::string_view const form =
+          case_.walls[i].form == WallForm::container ? ".container" : ".solid";
+      check_box(case_.walls[i].box, keys_.walls[i] + std::string(form));
+    }
+    for (std::size_t i = 0; i < case_.gauges.size(); ++i)
+      if (case_.gauges[i].kind == GaugeKind::front)
+        check_material(case_.gauges[i].material, keys_.gauges[i] + ".material");
+    check_domain();
+  }
+
+ private:
+  static constexpr std::size_t largest_material_count = 255;  // one id means "no material"
+
+  template <class Spec>
+  void check_names(std::vector<Spec> const& specs, std::vector<std::string> const& keys) {
+    std::set<std::string_view> names;
+    for (std::size_t i = 0; i < specs.size(); ++i)
+      if (!specs[i].name.empty() && !names.insert(specs[i].name).second)
+        source_.report_value(keys[i] + ".name", "is used twice");
+  }
+
+  void check_material(std::string const& name, std::string const& key) {
+    if (!source_.good(key)) return;
+    std::vector<std::string_view> names;
+    for (auto const& material : case_.materials) names.push_back(material.name);
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      source_.report_value(key, "is not a material of this case", name_hint(name, names));
+  }
+
+  void check_region(RegionSpec& region, std::string const& key) {
+    check_material(region.material, key + "material");
+    if (auto const* box = std::get_if<Box>(&region.shape)) check_box(*box, key + "box");
+    if (auto* plane = std::get_if<HalfPlane>(&region.shape))
+      check_normal(plane->normal, key + "half_plane.normal");
+    check_state(region.initial, key);
+  }
+
+  void check_normal(Point& normal, std::string const& key) {
+    if (!source_.good(key)) return;
+    double const norm = length(normal);
+    if (norm == 0.0) return source_.report_value(key, "must not be zero");
+    // A unit vector stays as it is, to the bit: a used case must read back unchanged.
+    if (std::abs(norm - 1.0) < 1e-15) return;
+    for (double& component : normal) component /= norm;
+  }
+
+  void check_state(InitialState const& initial, std::string const& key) {
+    bool const level = initial.hydrostatic_level.has_value();
+    if (level && initial.pressure)
+      source_.report_value(key + "hydrostatic_level", "is given together with pressure",
+                           "give one of the two");
+    if (level && initial.density)
+      source_.report_value(key + "density", "is given together with hydrostatic_level",
+                           "leave it out, it is solved for the pressure");
+    if (initial.pressure && initial.density && initial.specific_energy)
+      source_.report_value(key + "pressure", "is given together with density and specific_energy",
+                           "leave out one of the three");
+    bool const gravity_known = !source_.has_problem("physics.gravity");
+    if (level && gravity_known && length(case_.gravity) == 0.0)
+      source_.report_value(key + "hydrostatic_level", "needs gravity", "give physics.gravity");
+  }
+
+  bool is_good(std::string const& key) const {
+    return source_.good(key + ".min") && source_.good(key + ".max");
+  }
+
+  void check_box(Box const& box, std::string const& key) {
+    if (!is_good(key)) return;
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(case_.dimension); ++axis)
+      if (!(box.min[axis] < box.max[axis]))
+        source_.report_value(key + ".max",
+                             fmt::format("must be greater than min along {}", axis_names[axis]));
+  }
+
+  void check_domain() {
+    if (case_.dimension == 0) return;
+    bool const given = source_.has("space.domain.min") || source_.has("space.domain.max");
+    if (!given) {
+      // Without sound parts a default domain would only cause messages that mislead.
+      if (!source_.problems().empty()) return;
+      auto const domain = default_domain(case_);
+      if (!domain)
+        return source_.report_key("space.domain", {},
+                                  "is missing: no container wall or bounded region sets its size");
+      case_.domain = *domain;
+    }
+    if (given) check_box(case_.domain, "space.domain");
+    if (given && !is_good("space.domain")) return;
+    if (given) check_parts();
+    check_gauges();
+    check_periodic(given);
+  }
+
+  void check_parts() {
+    for (std::size_t i = 0; i < case_.regions.size(); ++i) check_shape(i);
+    for (std::size_t i = 0; i < case_.walls.size(); ++i) {
+      bool const container = case_.walls[i].form == WallForm::container;
+      check_inside(case_.walls[i].box, keys_.walls[i] + (container ? ".container" : ".solid"));
+    }
+  }
+
+  void check_shape(std::size_t i) {
+    auto const& shape = case_.regions[i].shape;
+    std::string const& key = keys_.regions[i];
+    if (auto const* box = std::get_if<Box>(&shape)) check_inside(*box, key + ".box");
+    auto const* disc = std::get_if<Disc>(&shape);
+    if (disc == nullptr || !source_.good(key + ".disc.center")) return;
+    if (!source_.good(key + ".disc.radius")) return;
+    if (!is_inside(*bounding_box(shape, case_.dimension), case_.domain, case_.dimension))
+      source_.report_value(key + ".disc.center", "puts the disc partly outside the domain");
+  }
+
+  void check_inside(Box const& box, std::string const& key) {
+    if (!is_good(key)) return;
+    for (auto const& [corner, name] : {std::pair(box.min, ".min"), std::pair(box.max, ".max")})
+      if (!is_inside({corner, corner}, case_.domain, case_.dimension))
+        source_.report_value(key + name, "is outside the domain");
+  }
+
+  void check_gauges() {
+    for (std::size_t i = 0; i < case_.gauges.size(); ++i) {
+      auto const& gauge = case_.gauges[i];
+      std::string const key = keys_.gauges[i] + ".position";
+      if (gauge.kind == GaugeKind::point && source_.good(key) &&
+          !is_inside({gauge.position, gauge.position}, case_.domain, case_.dimension))
+        source_.report_value(key, "is outside the domain");
+    }
+  }
+
+  // The lattice of particles must continue across the seam.
+  void check_periodic(bool given) {
+    if (!source_.good("resolution.spacing")) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!case_.periodic[axis]) continue;
+      double const extent = case_.domain.max[axis] - case_.domain.min[axis];
+      double const count = extent / case_.numerics.spacing;
+      if (std::abs(count - std::round(count)) < 1e-6) continue;
+      std::string const rule = fmt::format(
+          "makes the periodic domain {:.6g} spacings long along {}; a whole number is "
+          "expected",
+          count, axis_names[axis]);
+      source_.report_value(given ? "space.domain.max" : "resolution.spacing", rule);
+    }
+  }
+
+  Case& case_;
+  ItemKeys const& keys_;
+  Source& source_;
+};
+
+}  // namespace
+
+void finish_case(Case& c, ItemKeys const& keys, Source& source) {
+  CaseCheck(c, keys, source).run();
+}
+
+}  // namespace moraine

@@ -1,0 +1,182 @@
+#include "setup/fill.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "base/input_error.hpp"
+#include "setup/geometry.hpp"
+#include "setup/initial_state.hpp"
+
+namespace moraine {
+namespace {
+
+constexpr double face_tolerance = 1e-6;  // spacings
+
+// The box that holds all particles.
+Box filled_range(Case const& c) {
+  Box range = c.domain;
+  bool const bounded = std::none_of(c.regions.begin(), c.regions.end(), [](auto const& region) {
+    return std::holds_alternative<HalfPlane>(region.shape);
+  });
+  auto const filled = filled_box(c);
+  if (!bounded || !filled) return range;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    range.min[axis] = std::max(range.min[axis], filled->min[axis]);
+    range.max[axis] = std::min(range.max[axis], filled->max[axis]);
+  }
+  return range;
+}
+
+Box without_open_sides(WallSpec const& wall) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Box box = wall.box;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (wall.open[axis][0]) box.min[axis] = -infinity;
+    if (wall.open[axis][1]) box.max[axis] = infinity;
+  }
+  return box;
+}
+
+class Filler {
+ public:
+  explicit Filler(Case const& c)
+      : case_(c),
+        spacing_(c.numerics.spacing),
+        tolerance_(face_tolerance * spacing_),
+        volume_(std::pow(spacing_, c.dimension)),
+        anchor_(lattice_anchor(c)),
+        counts_(c.regions.size(), 0),
+        stateless_(c.regions.size(), false) {
+    for (auto const& wall : c.walls)
+      (wall.form == WallForm::container ? containers_ : solids_)
+          .push_back(wall.form == WallForm::container ? without_open_sides(wall) : wall.box);
+    for (auto const& region : c.regions) materials_.push_back(material_of(region));
+  }
+
+  std::vector<Seed> fill() {
+    Box const range = filled_range(case_);
+    std::array<std::int64_t, 3> first{}, last{};  // inclusive; one layer in unused dimensions
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(case_.dimension); ++axis) {
+      first[axis] = std::llround(std::floor((range.min[axis] - anchor_[axis]) / spacing_)) - 1;
+      last[axis] = std::llround(std::ceil((range.max[axis] - anchor_[axis]) / spacing_));
+    }
+    for (auto z = first[2]; z <= last[2]; ++z)
+      for (auto y = first[1]; y <= last[1]; ++y)
+        for (auto x = first[0]; x <= last[0]; ++x) visit(lattice_point({x, y, z}));
+    throw_problems();
+    return std::move(seeds_);
+  }
+
+ private:
+  MaterialId material_of(RegionSpec const& region) {
+    auto const found =
+        std::find_if(case_.materials.begin(), case_.materials.end(),
+                     [&](auto const& material) { return material.name == region.material; });
+    if (found == case_.materials.end())
+      throw InputErrors({problem(region, ".material", "is not a material of this case")});
+    return static_cast<MaterialId>(found - case_.materials.begin());
+  }
+
+  Point lattice_point(std::array<std::int64_t, 3> const& index) const {
+    Point point{};
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(case_.dimension); ++axis)
+      point[axis] = anchor_[axis] + (static_cast<double>(index[axis]) + 0.5) * spacing_;
+    return point;
+  }
+
+  bool in_any(std::vector<Box> const& boxes, Point const& point) const {
+    return std::any_of(boxes.begin(), boxes.end(), [&](Box const& box) {
+      return contains(box, point, case_.dimension, tolerance_);
+    });
+  }
+
+  bool may_be_filled(Point const& point) const {
+    if (!contains(case_.domain, point, case_.dimension, tolerance_)) return false;
+    if (!containers_.empty() && !in_any(containers_, point)) return false;
+    return !in_any(solids_, point);
+  }
+
+  void visit(Point const& point) {
+    for (std::size_t i = case_.regions.size(); i-- > 0;) {
+      if (!contains(case_.regions[i].shape, point, case_.dimension, tolerance_)) continue;
+      if (may_be_filled(point)) add(i, point);
+      return;
+    }
+  }
+
+  void add(std::size_t i, Point const& point) {
+    auto const& region = case_.regions[i];
+    ++counts_[i];
+    auto const state =
+        initial_state(case_.materials[materials_[i]].eos, region.initial, point, case_.gravity);
+    if (!state) {
+      stateless_[i] = true;
+      return;
+    }
+    seeds_.push_back({.position = point,
+                      .velocity = region.initial.velocity,
+                      .density = state->density,
+                      .specific_energy = state->specific_energy,
+                      .mass = state->density * volume_,
+                      .material = materials_[i]});
+  }
+
+  InputProblem problem(RegionSpec const& region, std::string_view key, std::string rule,
+                       std::string hint = {}) const {
+    return {.file = case_.file,
+            .line = 0,
+            .column = 0,
+            .key = fmt::format("region.{}{}", region.name, key),
+            .value = "",
+            .rule = std::move(rule),
+            .hint = std::move(hint)};
+  }
+
+  void throw_problems() const {
+    std::vector<InputProblem> problems;
+    for (std::size_t i = 0; i < case_.regions.size(); ++i) {
+      auto const& region = case_.regions[i];
+      if (counts_[i] == 0)
+        problems.push_back(
+            problem(region, "", fmt::format("fills no particle at a spacing of {} m", spacing_),
+                    "it is too small, outside the walls or covered by a later region"));
+      else if (stateless_[i])
+        problems.push_back(problem(
+            region, region.initial.pressure ? ".pressure" : ".hydrostatic_level",
+            fmt::format("the material \"{}\" has no state with this pressure", region.material)));
+    }
+    if (!problems.empty()) throw InputErrors(std::move(problems));
+  }
+
+  Case const& case_;
+  double spacing_;
+  double tolerance_;
+  double volume_;  // m^dimension
+  Point anchor_;
+  std::vector<Box> containers_;
+  std::vector<Box> solids_;
+  std::vector<MaterialId> materials_;  // of each region
+  std::vector<std::size_t> counts_;    // particles of each region
+  std::vector<bool> stateless_;        // regions with a pressure that cannot be
+  std::vector<Seed> seeds_;
+};
+
+}  // namespace
+
+Point lattice_anchor(Case const& c) {
+  for (auto const& wall : c.walls)
+    if (wall.form == WallForm::container) return wall.box.min;
+  for (auto const& region : c.regions)
+    if (auto const* box = std::get_if<Box>(&region.shape)) return box->min;
+  return {};
+}
+
+std::vector<Seed> fill_regions(Case const& c) { return Filler(c).fill(); }
+
+}  // namespace moraine

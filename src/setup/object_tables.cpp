@@ -1,0 +1,235 @@
+// The table of parameters: regions, walls and gauges.
+#include <vector>
+
+#include "setup/parameter_table.hpp"
+
+namespace moraine {
+namespace {
+
+Parameter name_of(Section section) {
+  return {.section = section,
+          .key = "name",
+          .type = ValueType::text,
+          .presence = Presence::required,
+          .meaning = "unique name, used in messages and output"};
+}
+
+Parameter length_vector(Section section, std::string_view key, std::string_view meaning) {
+  return {.section = section,
+          .key = key,
+          .type = ValueType::vector,
+          .quantity = Quantity::length,
+          .presence = Presence::required,
+          .meaning = meaning};
+}
+
+Parameter shape_vector(std::string_view key, std::string_view shape, std::string_view meaning) {
+  Parameter parameter = length_vector(Section::region, key, meaning);
+  parameter.when_key = "shape";
+  parameter.when_value = shape;
+  return parameter;
+}
+
+template <class Form, auto Member>
+Entry<RegionSpec> shape_member(Parameter parameter) {
+  return member_of<RegionSpec, &RegionSpec::shape, Form, Member>(std::move(parameter));
+}
+
+void add_shapes(std::vector<Entry<RegionSpec>>& table) {
+  table.push_back(
+      alternative<RegionSpec, &RegionSpec::shape>({.section = Section::region,
+                                                   .key = "shape",
+                                                   .type = ValueType::shape_key,
+                                                   .presence = Presence::required,
+                                                   .names = {"box", "disc", "half_plane"},
+                                                   .meaning = "the shape that is filled"}));
+  table.push_back(shape_member<Box, &Box::min>(shape_vector("box.min", "box", "lower corner")));
+  table.push_back(shape_member<Box, &Box::max>(shape_vector("box.max", "box", "upper corner")));
+  table.push_back(shape_member<Disc, &Disc::center>(
+      shape_vector("disc.center", "disc", "centre of the disc, of the ball in 3D")));
+  table.push_back(shape_member<Disc, &Disc::radius>({.section = Section::region,
+                                                     .key = "disc.radius",
+                                                     .quantity = Quantity::length,
+                                                     .presence = Presence::required,
+                                                     .limits = Limits::positive(),
+                                                     .when_key = "shape",
+                                                     .when_value = "disc",
+                                                     .meaning = "radius"}));
+  table.push_back(shape_member<HalfPlane, &HalfPlane::point>(
+      shape_vector("half_plane.point", "half_plane", "a point of the bounding plane")));
+  Parameter normal = shape_vector("half_plane.normal", "half_plane",
+                                  "normal of the plane out of the filled side, of any length");
+  normal.quantity = Quantity::number;
+  table.push_back(shape_member<HalfPlane, &HalfPlane::normal>(std::move(normal)));
+}
+
+void add_initial_state(std::vector<Entry<RegionSpec>>& table) {
+  constexpr auto initial = &RegionSpec::initial;
+  table.push_back(
+      member<RegionSpec, initial, &InitialState::velocity>({.section = Section::region,
+                                                            .key = "velocity",
+                                                            .type = ValueType::vector,
+                                                            .quantity = Quantity::velocity,
+                                                            .preset = Point{},
+                                                            .meaning = "initial velocity"}));
+  table.push_back(member<RegionSpec, initial, &InitialState::density>(
+      {.section = Section::region,
+       .key = "density",
+       .quantity = Quantity::density,
+       .preset_note = "solved for the pressure where one is given, else the reference density",
+       .limits = Limits::positive(),
+       .meaning = "initial density"}));
+  table.push_back(member<RegionSpec, initial, &InitialState::specific_energy>(
+      {.section = Section::region,
+       .key = "specific_energy",
+       .quantity = Quantity::specific_energy,
+       .preset_note = "solved where pressure and density are given, else the reference energy",
+       .meaning = "initial internal energy per mass"}));
+  table.push_back(member<RegionSpec, initial, &InitialState::pressure>(
+      {.section = Section::region,
+       .key = "pressure",
+       .quantity = Quantity::pressure,
+       .preset_note = "from density and energy",
+       .meaning = "initial pressure; solved for the density, or the energy if density is given"}));
+  table.push_back(member<RegionSpec, initial, &InitialState::hydrostatic_level>(
+      {.section = Section::region,
+       .key = "hydrostatic_level",
+       .quantity = Quantity::length,
+       .preset_note = "no hydrostatic pressure",
+       .meaning = "height of the free surface against gravity; "
+                  "pressure reference_density * gravity * depth, the density is solved for it"}));
+}
+
+std::vector<Entry<RegionSpec>> make_region_table() {
+  std::vector<Entry<RegionSpec>> table;
+  table.push_back(member<RegionSpec, &RegionSpec::name>(name_of(Section::region)));
+  table.push_back(member<RegionSpec, &RegionSpec::material>({.section = Section::region,
+                                                             .key = "material",
+                                                             .type = ValueType::text,
+                                                             .presence = Presence::required,
+                                                             .meaning = "name of a material"}));
+  add_shapes(table);
+  add_initial_state(table);
+  return table;
+}
+
+Parameter wall_corner(std::string_view key, std::string_view form, std::string_view meaning) {
+  Parameter parameter = length_vector(Section::wall, key, meaning);
+  parameter.when_key = "form";
+  parameter.when_value = form;
+  return parameter;
+}
+
+// The same box is written under the name of its form, and read back under that name only.
+template <WallForm form, auto Corner>
+Entry<WallSpec> form_member(Parameter parameter) {
+  Entry<WallSpec> entry = member<WallSpec, &WallSpec::box, Corner>(std::move(parameter));
+  entry.get = [](WallSpec const& wall) {
+    return wall.form == form ? Value(wall.box.*Corner) : Value();
+  };
+  return entry;
+}
+
+std::vector<Entry<WallSpec>> make_wall_table() {
+  std::vector<Entry<WallSpec>> table;
+  table.push_back(member<WallSpec, &WallSpec::name>(name_of(Section::wall)));
+  table.push_back(member<WallSpec, &WallSpec::form>(
+      {.section = Section::wall,
+       .key = "form",
+       .type = ValueType::shape_key,
+       .presence = Presence::required,
+       .names = {"container", "solid"},
+       .meaning = "a box with the fluid inside of it, or outside"}));
+  table.push_back(form_member<WallForm::container, &Box::min>(
+      wall_corner("container.min", "container", "lower corner of the box around the fluid")));
+  table.push_back(form_member<WallForm::container, &Box::max>(
+      wall_corner("container.max", "container", "upper corner of the box around the fluid")));
+  table.push_back(form_member<WallForm::solid, &Box::min>(
+      wall_corner("solid.min", "solid", "lower corner of the solid box")));
+  table.push_back(form_member<WallForm::solid, &Box::max>(
+      wall_corner("solid.max", "solid", "upper corner of the solid box")));
+  table.push_back(member<WallSpec, &WallSpec::open>({.section = Section::wall,
+                                                     .key = "open",
+                                                     .type = ValueType::sides,
+                                                     .preset = std::vector<int>{},
+                                                     .meaning = "sides without a wall"}));
+  table.push_back(member<WallSpec, &WallSpec::slip>(
+      {.section = Section::wall,
+       .key = "slip",
+       .type = ValueType::choice,
+       .preset = static_cast<int>(Slip::free),
+       .names = {"free", "none"},
+       .meaning = "free: the fluid slides along the wall; none: it sticks"}));
+  return table;
+}
+
+Entry<GaugeSpec> front_side() {
+  return {{.section = Section::gauge,
+           .key = "axis",
+           .type = ValueType::side,
+           .preset = 1,
+           .when_key = "kind",
+           .when_value = "front",
+           .meaning = "direction in which the farthest particle is sought"},
+          [](GaugeSpec& gauge, Value const& value) {
+            gauge.axis = std::get<int>(value) / 2;
+            gauge.direction = std::get<int>(value) % 2 == 1 ? +1 : -1;
+          },
+          [](GaugeSpec const& gauge) -> Value {
+            if (gauge.kind != GaugeKind::front) return {};
+            return 2 * gauge.axis + (gauge.direction > 0 ? 1 : 0);
+          }};
+}
+
+std::vector<Entry<GaugeSpec>> make_gauge_table() {
+  std::vector<Entry<GaugeSpec>> table;
+  table.push_back(member<GaugeSpec, &GaugeSpec::name>(name_of(Section::gauge)));
+  table.push_back(member<GaugeSpec, &GaugeSpec::kind>(
+      {.section = Section::gauge,
+       .key = "kind",
+       .type = ValueType::choice,
+       .preset = static_cast<int>(GaugeKind::point),
+       .names = {"point", "front"},
+       .meaning = "point: state at a fixed place; front: farthest particle of a material"}));
+  Parameter position = length_vector(Section::gauge, "position", "place of the gauge");
+  position.when_key = "kind";
+  position.when_value = "point";
+  Entry<GaugeSpec> place = member<GaugeSpec, &GaugeSpec::position>(std::move(position));
+  place.get = [](GaugeSpec const& gauge) {
+    return gauge.kind == GaugeKind::point ? Value(gauge.position) : Value();
+  };
+  table.push_back(std::move(place));
+  Entry<GaugeSpec> material =
+      member<GaugeSpec, &GaugeSpec::material>({.section = Section::gauge,
+                                               .key = "material",
+                                               .type = ValueType::text,
+                                               .presence = Presence::required,
+                                               .when_key = "kind",
+                                               .when_value = "front",
+                                               .meaning = "name of a material"});
+  material.get = [](GaugeSpec const& gauge) {
+    return gauge.kind == GaugeKind::front ? Value(gauge.material) : Value();
+  };
+  table.push_back(std::move(material));
+  table.push_back(front_side());
+  return table;
+}
+
+}  // namespace
+
+std::span<Entry<RegionSpec> const> region_entries() {
+  static std::vector<Entry<RegionSpec>> const table = make_region_table();
+  return table;
+}
+
+std::span<Entry<WallSpec> const> wall_entries() {
+  static std::vector<Entry<WallSpec>> const table = make_wall_table();
+  return table;
+}
+
+std::span<Entry<GaugeSpec> const> gauge_entries() {
+  static std::vector<Entry<GaugeSpec>> const table = make_gauge_table();
+  return table;
+}
+
+}  // namespace moraine

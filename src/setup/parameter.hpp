@@ -1,0 +1,106 @@
+// A parameter of the case file as data: what the parser, the messages, `explain`, the JSON schema
+// and the reference page know about a key. No Case is needed to read it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "base/units.hpp"
+
+namespace moraine {
+
+/// What stands behind a key. Numbers of a quantity may be a plain SI number or a text with unit.
+enum class ValueType : std::uint8_t {
+  integer,
+  real,       // a number of the parameter's quantity
+  reals,      // a list of such numbers
+  vector,     // exactly `dimension` such numbers
+  text,       // not empty
+  choice,     // one of `names`
+  axes,       // a list of axis names; those of the case's dimension are valid
+  side,       // one of the side names, "x-" ... "z+"
+  sides,      // a list of side names
+  shape_key,  // not a key itself: exactly one of the keys `names` must be present in the table
+};
+
+/// A value while it travels between file and Case: nothing, number, integer or index into the
+/// names, text, three components, list, list of indices. Always in SI.
+using Value = std::variant<std::monostate, double, int, std::string, std::array<double, 3>,
+                           std::vector<double>, std::vector<int>>;
+
+/// Valid range of a number or of every component. NaN is never valid; infinity only on request.
+struct Limits {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool min_excluded = false;
+  bool infinity_allowed = false;
+
+  static constexpr Limits none() { return {}; }
+  static constexpr Limits positive() { return {.min = 0.0, .min_excluded = true}; }
+  static constexpr Limits not_negative() { return {.min = 0.0}; }
+  static constexpr Limits between(double low, double high) { return {.min = low, .max = high}; }
+};
+
+/// The tables of a case file. A `list` is written [[region]], a `named` table [material.NAME].
+enum class Section : std::uint8_t { top, material, region, wall, gauge };
+inline constexpr std::size_t section_count = 5;
+enum class Repeat : std::uint8_t { once, named, list };
+
+struct SectionInfo {
+  Section section;
+  std::string_view key;  // empty for the top level
+  Repeat repeat;
+  std::string_view meaning;
+};
+
+inline constexpr std::array<SectionInfo, section_count> section_table{{
+    {Section::top, "", Repeat::once, "the case itself"},
+    {Section::material, "material", Repeat::named, "a material: equation of state and constants"},
+    {Section::region, "region", Repeat::list,
+     "particles of one material on the lattice points of a shape; later regions replace earlier"},
+    {Section::wall, "wall", Repeat::list, "a fixed rigid wall: the faces of a box"},
+    {Section::gauge, "gauge", Repeat::list, "something measured during the run"},
+}};
+
+constexpr SectionInfo const& info(Section section) {
+  return section_table[static_cast<std::size_t>(section)];
+}
+
+/// Whether a key must be given. `with_table`: only if its own sub-table is there at all.
+enum class Presence : std::uint8_t { required, with_table, optional };
+
+/// One entry of the table of parameters.
+struct Parameter {
+  Section section = Section::top;
+  std::string_view key{};  // inside its section, dotted: "space.domain.min"
+  ValueType type = ValueType::real;
+  Quantity quantity = Quantity::number;
+  Presence presence = Presence::optional;
+  Value preset{};                  // default; monostate: none
+  std::string_view preset_note{};  // how an absent value is found, where it is no constant
+  Limits limits{};
+  std::vector<std::string_view> names{};  // of a choice; in the order of the enum that it sets
+  // The key exists only where the choice or shape key `when_key` has the value `when_value`.
+  std::string_view when_key{};
+  std::string_view when_value{};
+  std::string_view meaning{};  // one line
+  std::string_view source{};   // of the default or of the constant; may be empty
+};
+
+/// Names of axes and sides in the order of their indices: axis, 2 axis + (0 minus | 1 plus).
+inline constexpr std::array<std::string_view, 3> axis_names{"x", "y", "z"};
+inline constexpr std::array<std::string_view, 6> side_names{"x-", "x+", "y-", "y+", "z-", "z+"};
+
+/// "material.NAME.reference_density", "region[].velocity", "time.end".
+std::string full_key(Parameter const& parameter);
+
+/// A Value as TOML, numbers in SI: shortest text that reads back to the same bits.
+/// Vectors show their first `dimension` components. Empty text for monostate.
+std::string to_toml(Value const& value, Parameter const& parameter, int dimension);
+
+}  // namespace moraine

@@ -1,0 +1,241 @@
+// What the actions of a step do to the state of the particles.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel_for.hpp"
+#include "step/simulation.hpp"
+#include "step/simulation_error.hpp"
+#include "step/simulation_setup.hpp"
+
+namespace moraine {
+namespace {
+
+/// Lowest index for which a particle is bad; Vote::nobody when all are good.
+template <class Bad>
+std::size_t first_bad(std::size_t count, Bad&& bad) {
+  auto const in_block = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (bad(i)) return i;
+    return Vote::nobody;
+  };
+  return reduce_blocks(count, Vote::nobody, in_block,
+                       [](std::size_t a, std::size_t b) { return std::min(a, b); });
+}
+
+}  // namespace
+
+void Simulation::choose_time_step() {
+  TimeSpec const& spec = model_.time;
+  double const h = model_.numerics.smoothing_length();
+  Vote vote{spec.courant * h / swept_.signal_speed, "sound and viscosity", swept_.particle};
+  vote = stricter(vote, acceleration_vote_);
+  if (spec.fixed_step > 0.0) vote = {spec.fixed_step, "fixed step", Vote::nobody};
+  vote = stricter(vote, {spec.max_step, "largest step", Vote::nobody});
+  vote = stricter(vote, {spec.end - time_, end_of_run, Vote::nobody});
+  vote_ = vote;
+}
+
+void Simulation::kick_and_drift() {
+  ParticleStore& store = model_.particles;
+  std::size_t const count = store.range(Kind::fluid).size();
+  double const dt = vote_.time_step;
+  for_each_block(count, loop_block, [&](std::size_t begin, std::size_t end) {
+    for (int axis = 0; axis < model_.dimension; ++axis) {
+      auto x = store.component(Field::position, axis);
+      auto v = store.component(Field::velocity, axis);
+      auto const a = store.component(Field::acceleration, axis);
+      for (std::size_t i = begin; i < end; ++i) {
+        v[i] += 0.5 * dt * a[i];
+        x[i] += dt * v[i];
+      }
+    }
+    auto const half_kick = [&](Field field, Field rate_field) {
+      auto value = store.scalar(field);
+      auto const rate = store.scalar(rate_field);
+      for (std::size_t i = begin; i < end; ++i) value[i] += 0.5 * dt * rate[i];
+    };
+    half_kick(Field::density, Field::density_rate);
+    half_kick(Field::specific_energy, Field::energy_rate);
+  });
+}
+
+void Simulation::remove_lost() {
+  ParticleStore& store = model_.particles;
+  std::size_t const count = store.range(Kind::fluid).size();
+  auto const outside = [&](std::size_t i) {
+    for (int axis = 0; axis < model_.dimension; ++axis) {
+      auto const k = static_cast<std::size_t>(axis);
+      if (model_.periodic[k]) continue;
+      double const x = store.component(Field::position, axis)[i];
+      if (!(x >= model_.domain_min[k] && x <= model_.domain_max[k])) return true;
+    }
+    return false;
+  };
+  if (first_bad(count, outside) == Vote::nobody) return;
+  std::vector<std::uint32_t> leaving;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!outside(i)) continue;
+    leaving.push_back(static_cast<std::uint32_t>(i));
+    double const m = store.scalar(Field::mass)[i];
+    double specific = store.scalar(Field::specific_energy)[i];
+    for (int axis = 0; axis < model_.dimension; ++axis) {
+      double const v = store.component(Field::velocity, axis)[i];
+      double const x = store.component(Field::position, axis)[i];
+      specific += 0.5 * v * v - model_.gravity[static_cast<std::size_t>(axis)] * x;
+    }
+    ++lost_.count;
+    lost_.mass += m;
+    lost_.energy += m * specific;
+  }
+  store.remove(leaving);
+}
+
+void Simulation::sort_by_material() {
+  by_material_.resize(model_.materials.size());
+  if (model_.materials.size() == 1) return;  // all of them, in order
+  for (auto& indices : by_material_) indices.clear();
+  Range const fluid = model_.particles.range(Kind::fluid);
+  for (std::size_t i = fluid.begin; i < fluid.end; ++i)
+    by_material_[model_.particles.material()[i]].push_back(static_cast<std::uint32_t>(i));
+}
+
+void Simulation::evaluate_matter() {
+  ParticleStore& store = model_.particles;
+  auto const density = store.scalar(Field::density);
+  auto const density_rate = store.scalar(Field::density_rate);
+  auto const energy = store.scalar(Field::specific_energy);
+  auto const energy_rate = store.scalar(Field::energy_rate);
+  auto pressure = store.scalar(Field::pressure);
+  auto sound_speed = store.scalar(Field::sound_speed);
+  double const ahead = predict_by();
+  auto const pass = [&](auto const& law, std::size_t count, auto&& index) {
+    for_each_block(count, loop_block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        std::size_t const i = index(k);
+        auto const state = law.respond(density[i] + ahead * density_rate[i],
+                                       energy[i] + ahead * energy_rate[i]);
+        pressure[i] = state.pressure;
+        sound_speed[i] = state.sound_speed;
+      }
+    });
+  };
+  for (std::size_t m = 0; m < model_.materials.size(); ++m) {
+    std::visit(
+        [&](auto const& law) {
+          if (model_.materials.size() == 1)
+            pass(law, store.range(Kind::fluid).size(), [](std::size_t k) { return k; });
+          else
+            pass(law, by_material_[m].size(), [&](std::size_t k) { return by_material_[m][k]; });
+        },
+        model_.materials[m].eos);
+  }
+  std::size_t const count = store.range(Kind::fluid).size();
+  std::size_t const bad = first_bad(count, [&](std::size_t i) { return !(sound_speed[i] >= 0.0); });
+  if (bad != Vote::nobody)
+    fail(bad, fmt::format("the equation of state gives no sound speed (c^2 < 0) at density {} kg/m^3, "
+                          "specific energy {} J/kg", density[bad], energy[bad]));
+}
+
+void Simulation::kick_and_check() {
+  ParticleStore& store = model_.particles;
+  std::size_t const count = store.range(Kind::fluid).size();
+  double const half = predict_by();
+  struct Largest {
+    double acceleration2 = 0.0;
+    std::size_t particle = 0;
+    std::size_t bad = Vote::nobody;
+  };
+  auto density = store.scalar(Field::density);
+  auto energy = store.scalar(Field::specific_energy);
+  auto const density_rate = store.scalar(Field::density_rate);
+  auto const energy_rate = store.scalar(Field::energy_rate);
+  auto const kick = [&](std::size_t begin, std::size_t end) {
+    Largest largest;
+    for (std::size_t i = begin; i < end; ++i) {
+      density[i] += half * density_rate[i];
+      energy[i] += half * energy_rate[i];
+      double acceleration2 = 0.0;
+      double check = density[i] + energy[i];
+      for (int axis = 0; axis < model_.dimension; ++axis) {
+        double& a = store.component(Field::acceleration, axis)[i];
+        double& v = store.component(Field::velocity, axis)[i];
+        a += model_.gravity[static_cast<std::size_t>(axis)];
+        v += half * a;
+        acceleration2 += a * a;
+        check += v;
+      }
+      if (!(acceleration2 <= largest.acceleration2)) {
+        largest.acceleration2 = acceleration2;
+        largest.particle = i;
+      }
+      bool const good = std::isfinite(check) && std::isfinite(acceleration2) && density[i] > 0.0;
+      if (!good && largest.bad == Vote::nobody) largest.bad = i;
+    }
+    return largest;
+  };
+  auto const combine = [](Largest a, Largest const& b) {
+    if (!(b.acceleration2 <= a.acceleration2)) {
+      a.acceleration2 = b.acceleration2;
+      a.particle = b.particle;
+    }
+    a.bad = std::min(a.bad, b.bad);
+    return a;
+  };
+  Largest const largest = reduce_blocks(count, Largest{}, kick, combine);
+  if (largest.bad != Vote::nobody)
+    fail(largest.bad, density[largest.bad] > 0.0 ? "its velocity, density or energy is not a finite number"
+                                                 : "its density is not positive");
+  double const h = model_.numerics.smoothing_length();
+  acceleration_vote_ = {model_.time.courant * std::sqrt(h / std::sqrt(largest.acceleration2)),
+                        "acceleration", largest.particle};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    wall_impulse_[axis] += swept_.wall_force[axis] * vote_.time_step;
+}
+
+void Simulation::fail(std::size_t particle, std::string const& cause) const {
+  ParticleStore const& store = model_.particles;
+  std::string place;
+  for (int axis = 0; axis < model_.dimension; ++axis)
+    place += fmt::format("{}{:.6g}", axis == 0 ? "" : ", ", store.component(Field::position, axis)[particle]);
+  throw SimulationError(fmt::format(
+      "unstable: particle {} ({}) at ({}) m: {}; time {:.6g} s, step {}, time step {:.3g} s limited by {}",
+      store.id()[particle], model_.materials[store.material()[particle]].name, place, cause, time_,
+      step_, vote_.time_step, vote_.reason));
+}
+
+ConservedSums Simulation::sums() const {
+  ParticleStore const& store = model_.particles;
+  auto const mass = store.scalar(Field::mass);
+  auto const energy = store.scalar(Field::specific_energy);
+  auto const add = [&](std::size_t begin, std::size_t end) {
+    ConservedSums sum;
+    for (std::size_t i = begin; i < end; ++i) {
+      sum.mass += mass[i];
+      sum.internal_energy += mass[i] * energy[i];
+      for (int axis = 0; axis < model_.dimension; ++axis) {
+        auto const k = static_cast<std::size_t>(axis);
+        double const v = store.component(Field::velocity, axis)[i];
+        sum.kinetic_energy += 0.5 * mass[i] * v * v;
+        sum.momentum[k] += mass[i] * v;
+        sum.potential_energy -= mass[i] * model_.gravity[k] * store.component(Field::position, axis)[i];
+      }
+    }
+    return sum;
+  };
+  auto const combine = [](ConservedSums a, ConservedSums const& b) {
+    a.mass += b.mass;
+    a.internal_energy += b.internal_energy;
+    a.kinetic_energy += b.kinetic_energy;
+    a.potential_energy += b.potential_energy;
+    for (std::size_t k = 0; k < 3; ++k) a.momentum[k] += b.momentum[k];
+    return a;
+  };
+  ConservedSums total =
+      reduce_blocks(store.range(Kind::fluid).size(), ConservedSums{}, add, combine);
+  total.wall_impulse = wall_impulse_;
+  return total;
+}
+
+}  // namespace moraine

@@ -1,0 +1,33 @@
+// How a case is solved: resolution, schemes, time. Plain data, filled by the case file.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "smoothing/kernels.hpp"
+
+namespace moraine {
+
+/// Arithmetic of the pair loops: `mixed` forms pairs in single precision over fixed-point positions
+/// and keeps the state in double; `full` ("double" in case files) does all in double.
+enum class Precision : std::uint8_t { mixed, full };
+
+struct Numerics {
+  KernelName kernel = KernelName::wendland_c2;
+  double spacing = 0.0;           // m
+  double smoothing_factor = 1.2;  // h / spacing
+  double viscosity_alpha = 1.0;   // Monaghan, linear
+  double viscosity_beta = 10.0;   // Monaghan, quadratic
+  double density_diffusion = 0.0;
+  Precision precision = Precision::mixed;
+  double smoothing_length() const { return smoothing_factor * spacing; }
+};
+
+struct TimeSpec {
+  double end = 0.0;      // s
+  double courant = 0.3;  // factor of h / signal speed and of sqrt(h / a)
+  double max_step = std::numeric_limits<double>::infinity();  // s
+  double fixed_step = 0.0;                                    // s; 0: chosen by votes
+};
+
+}  // namespace moraine

@@ -1,0 +1,79 @@
+#include "step/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "step/simulation_setup.hpp"
+
+namespace moraine {
+namespace {
+
+constexpr std::array action_table{
+    Simulation::ActionInfo{"time step", "every limit votes; the shortest step wins"},
+    Simulation::ActionInfo{"kick and drift", "half a step of velocity, density and energy; a whole "
+                                             "step of position"},
+    Simulation::ActionInfo{"lost particles", "remove particles that left the domain, and count them"},
+    Simulation::ActionInfo{"search", "check the neighbour lists; re-sort and rebuild when worn out"},
+    Simulation::ActionInfo{"matter", "pressure and sound speed from the equations of state"},
+    Simulation::ActionInfo{"gather", "copy what pair terms read into records; refresh images"},
+    Simulation::ActionInfo{"walls", "continue pressure and density into wall particles"},
+    Simulation::ActionInfo{"pairs", "sum all pair terms: rates of velocity, density and energy"},
+    Simulation::ActionInfo{"kick and check", "gravity, second half of the step, guard against runaway"},
+};
+
+}  // namespace
+
+std::span<Simulation::ActionInfo const> Simulation::actions() { return action_table; }
+
+Simulation::Simulation(Model model)
+    : model_(std::move(model)),
+      search_(search_settings(model_)),
+      pairs_(make_pair_backend(model_.dimension, model_.flavour(), model_.numerics.kernel,
+                               scheme_of(model_), sweep_parameters(model_),
+                               reference_densities(model_))) {
+  using Run = void (Simulation::*)();
+  constexpr std::array<Run, action_table.size()> runs{
+      &Simulation::choose_time_step, &Simulation::kick_and_drift, &Simulation::remove_lost,
+      &Simulation::find_neighbours,  &Simulation::evaluate_matter, &Simulation::gather,
+      &Simulation::continue_into_walls, &Simulation::sum_pairs, &Simulation::kick_and_check};
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    sequence_.push_back({action_table[k], runs[k], timers_.add(action_table[k].label)});
+  // Rates at the start: the second half of a step, with a step length of zero.
+  vote_.time_step = 0.0;
+  run_actions(3);
+  half_step_factor_ = 1.0;
+}
+
+void Simulation::run_actions(std::size_t first) {
+  for (std::size_t k = first; k < sequence_.size(); ++k) {
+    ScopedTimer const timing(timers_, sequence_[k].timer);
+    (this->*sequence_[k].run)();
+  }
+}
+
+void Simulation::advance() {
+  run_actions(0);
+  ++step_;
+  time_ = vote_.reason == end_of_run ? model_.time.end : time_ + vote_.time_step;
+}
+
+void Simulation::find_neighbours() {
+  if (search_.refresh(model_.particles)) sort_by_material();
+}
+
+void Simulation::gather() { pairs_->gather_fluid(model_.particles, search_, predict_by()); }
+
+void Simulation::continue_into_walls() {
+  pairs_->gather_walls(model_.particles, search_, model_.walls);
+}
+
+void Simulation::sum_pairs() { swept_ = pairs_->sweep(model_.particles, search_); }
+
+std::size_t Simulation::bytes() const {
+  std::size_t sum = model_.particles.bytes() + search_.bytes() + pairs_->bytes() +
+                    model_.walls.normal.capacity() * sizeof(model_.walls.normal[0]);
+  for (auto const& indices : by_material_) sum += indices.capacity() * sizeof(std::uint32_t);
+  return sum;
+}
+
+}  // namespace moraine

@@ -1,0 +1,113 @@
+// The simulation loop: one step after another, each an ordered list of labelled actions.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/timer.hpp"
+#include "search/search.hpp"
+#include "step/model.hpp"
+#include "step/time_step.hpp"
+
+namespace moraine {
+
+/// Sums that a closed system conserves. In 2D per metre of thickness, in 1D per square metre.
+struct ConservedSums {
+  double kinetic_energy = 0.0;    // J
+  double internal_energy = 0.0;   // J
+  double potential_energy = 0.0;  // J, -m g . x
+  double mass = 0.0;              // kg
+  std::array<double, 3> momentum{};      // kg m/s
+  std::array<double, 3> wall_impulse{};  // N s, of all walls on the fluid since the start
+  double total_energy() const { return kinetic_energy + internal_energy + potential_energy; }
+};
+
+/// Particles that left the domain and were removed, with what they took along.
+struct LostParticles {
+  std::uint64_t count = 0;
+  double mass = 0.0;    // kg
+  double energy = 0.0;  // J, kinetic + internal + potential
+};
+
+/// A run in memory. After construction and after each advance(), all fields of the store belong to
+/// time(); rates are those at time().
+///
+/// Leapfrog in the kick-drift-kick form of Liu & Liu (2003), eqs 6.14-6.17: v, rho and e are
+/// advanced by half a step, positions by a whole one, rates are evaluated with v, rho and e
+/// predicted to the new time, and the second half kick follows. Second order in time.
+class Simulation {
+ public:
+  explicit Simulation(Model model);
+
+  bool running() const { return time_ < model_.time.end; }
+
+  /// One step; throws SimulationError when a particle's state stops being a number or its equation
+  /// of state fails.
+  void advance();
+
+  double time() const { return time_; }                       // s
+  std::uint64_t step() const { return step_; }
+  double time_step() const { return vote_.time_step; }        // s, of the last step
+  Vote const& vote() const { return vote_; }                  // who limited the last step
+  Model const& model() const { return model_; }
+  ParticleStore const& particles() const { return model_.particles; }
+  Search const& search() const { return search_; }
+  PairBackend const& pairs() const { return *pairs_; }
+  LostParticles const& lost() const { return lost_; }
+  ConservedSums sums() const;
+  Timers const& timers() const { return timers_; }
+
+  /// Memory of the particle data, lists and records, in bytes.
+  std::size_t bytes() const;
+
+  /// The step in order: label and what it does.
+  struct ActionInfo {
+    std::string_view label;
+    std::string_view description;
+  };
+  static std::span<ActionInfo const> actions();
+
+ private:
+  struct Action {
+    ActionInfo info;
+    void (Simulation::*run)();
+    int timer;
+  };
+  void run_actions(std::size_t first);
+
+  void choose_time_step();
+  void kick_and_drift();
+  void remove_lost();
+  void find_neighbours();
+  void evaluate_matter();
+  void gather();
+  void continue_into_walls();
+  void sum_pairs();
+  void kick_and_check();
+
+  void sort_by_material();
+  [[noreturn]] void fail(std::size_t particle, std::string const& cause) const;
+  double predict_by() const { return 0.5 * half_step_factor_ * vote_.time_step; }
+
+  Model model_;
+  Search search_;
+  std::unique_ptr<PairBackend> pairs_;
+  Timers timers_;
+  std::vector<Action> sequence_;
+  std::vector<std::vector<std::uint32_t>> by_material_;
+  Vote vote_;
+  Vote acceleration_vote_;
+  SweepOutcome swept_;
+  LostParticles lost_;
+  std::array<double, 3> wall_impulse_{};
+  double time_ = 0.0;
+  double half_step_factor_ = 0.0;  // 0 while the first rates are evaluated, then 1
+  std::uint64_t step_ = 0;
+};
+
+}  // namespace moraine

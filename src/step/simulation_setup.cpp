@@ -1,0 +1,70 @@
+#include "step/simulation_setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moraine {
+
+SearchSettings search_settings(Model const& model) {
+  SearchSettings settings;
+  settings.dimension = model.dimension;
+  settings.support = kernel_support * model.numerics.smoothing_length();
+  // Wall particles and images lie up to a list radius outside of the domain.
+  double const margin = 2.0 * settings.support;
+  auto low = model.domain_min;
+  auto high = model.domain_max;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(model.dimension); ++axis) {
+    low[axis] -= margin;
+    high[axis] += margin;
+  }
+  settings.fixed_point = FixedPoint::over(low, high, model.dimension);
+  Periodicity& sides = settings.periodicity;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(model.dimension); ++axis) {
+    sides.periodic[axis] = model.periodic[axis];
+    sides.low[axis] = model.domain_min[axis];
+    sides.period[axis] = model.domain_max[axis] - model.domain_min[axis];
+    sides.period_units[axis] = std::llround(sides.period[axis] / settings.fixed_point.scale);
+    sides.low_units[axis] =
+        settings.fixed_point.units(model.domain_min[axis], static_cast<int>(axis));
+  }
+  return settings;
+}
+
+SweepParameters sweep_parameters(Model const& model) {
+  SweepParameters p;
+  Eos const& eos = model.materials.front().eos;
+  double const rho = reference_density(eos);
+  double const c = std::visit(
+      [&](auto const& law) { return law.sound_speed(rho, law.reference_energy); }, eos);
+  p.smoothing_length = model.numerics.smoothing_length();
+  p.viscosity_alpha = model.numerics.viscosity_alpha;
+  p.viscosity_beta = model.numerics.viscosity_beta;
+  p.density_diffusion = model.numerics.density_diffusion;
+  p.gravity = model.gravity;
+  for (std::size_t axis = 0; axis < 3; ++axis) p.hydrostatic_slope[axis] = model.gravity[axis] / (c * c);
+  p.particle_volume = std::pow(model.numerics.spacing, model.dimension);
+  auto const set = [&](PairField field, double value) {
+    p.uniform[static_cast<std::size_t>(field)] = value;
+  };
+  set(PairField::mass, rho * p.particle_volume);
+  set(PairField::reference_density, rho);
+  set(PairField::sound_speed, c);
+  return p;
+}
+
+std::vector<double> reference_densities(Model const& model) {
+  std::vector<double> densities;
+  for (Material const& material : model.materials) densities.push_back(reference_density(material.eos));
+  return densities;
+}
+
+SchemeName scheme_of(Model const& model) {
+  if (model.materials.size() != 1 || !std::holds_alternative<Tait>(model.materials.front().eos))
+    return SchemeName::compressible;
+  double const lattice_mass = sweep_parameters(model).uniform[static_cast<std::size_t>(PairField::mass)];
+  for (double const mass : model.particles.scalar(Field::mass))
+    if (std::fabs(mass - lattice_mass) > 1e-12 * lattice_mass) return SchemeName::compressible;
+  return SchemeName::liquid;
+}
+
+}  // namespace moraine

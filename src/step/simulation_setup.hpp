@@ -1,0 +1,21 @@
+// From a model to what the search and the pair loops need.
+#pragma once
+
+#include <vector>
+
+#include "search/search.hpp"
+#include "step/model.hpp"
+
+namespace moraine {
+
+/// Vote of the end of the run on the last step.
+inline constexpr char const* end_of_run = "end of run";
+
+SearchSettings search_settings(Model const& model);
+SweepParameters sweep_parameters(Model const& model);
+std::vector<double> reference_densities(Model const& model);
+
+/// `liquid` when all particles are one Tait liquid of equal masses, `compressible` otherwise.
+SchemeName scheme_of(Model const& model);
+
+}  // namespace moraine

@@ -1,0 +1,66 @@
+// The one table of particle fields: name, unit, rank, whether a checkpoint saves it,
+// whether wall particles have it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace moraine {
+
+enum class Field : std::uint8_t {
+  position,
+  velocity,
+  density,
+  specific_energy,
+  mass,
+  pressure,
+  sound_speed,
+  acceleration,
+  density_rate,
+  energy_rate,
+};
+
+enum class Rank : std::uint8_t { scalar, vector };
+
+struct FieldInfo {
+  Field field;
+  std::string_view name;
+  std::string_view unit;
+  Rank rank;
+  bool saved;     // part of the state that a checkpoint must hold
+  bool on_walls;  // wall particles have it too; otherwise its arrays end with the fluid
+  std::string_view meaning;
+};
+
+inline constexpr std::array field_table{
+    FieldInfo{Field::position, "position", "m", Rank::vector, true, true, "place of the particle"},
+    FieldInfo{Field::velocity, "velocity", "m/s", Rank::vector, true, false, "velocity of the particle"},
+    FieldInfo{Field::density, "density", "kg/m^3", Rank::scalar, true, true, "mass density"},
+    FieldInfo{Field::specific_energy, "specific_energy", "J/kg", Rank::scalar, true, false,
+              "internal energy per mass"},
+    FieldInfo{Field::mass, "mass", "kg", Rank::scalar, true, false,
+              "mass (per metre of thickness in 2D, per square metre in 1D)"},
+    FieldInfo{Field::pressure, "pressure", "Pa", Rank::scalar, false, true,
+              "pressure, positive in compression"},
+    FieldInfo{Field::sound_speed, "sound_speed", "m/s", Rank::scalar, false, true,
+              "adiabatic speed of sound"},
+    FieldInfo{Field::acceleration, "acceleration", "m/s^2", Rank::vector, true, false,
+              "rate of velocity, gravity included"},
+    FieldInfo{Field::density_rate, "density_rate", "kg/(m^3 s)", Rank::scalar, true, false,
+              "rate of density"},
+    FieldInfo{Field::energy_rate, "energy_rate", "W/kg", Rank::scalar, true, false,
+              "rate of specific energy"},
+};
+inline constexpr std::size_t field_count = field_table.size();
+
+constexpr FieldInfo const& info(Field field) { return field_table[static_cast<std::size_t>(field)]; }
+
+static_assert([] {
+  for (std::size_t i = 0; i < field_count; ++i)
+    if (static_cast<std::size_t>(field_table[i].field) != i) return false;
+  return true;
+}(), "field_table must list the fields in the order of the enum");
+
+}  // namespace moraine

@@ -1,0 +1,64 @@
+// What the step asks of the pair loops, whatever dimension, precision, kernel and set of terms.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "search/search.hpp"
+#include "smoothing/kernels.hpp"
+#include "store/particle_store.hpp"
+#include "terms/sweep_parameters.hpp"
+
+namespace moraine {
+
+/// Pair geometry and sums in single precision over fixed-point positions, or all in double, or the
+/// plain scalar loop in double that the others are tested against.
+enum class Flavour : std::uint8_t { mixed, full, reference };
+
+/// Which pair terms and records (terms/schemes.hpp).
+enum class SchemeName : std::uint8_t { liquid, compressible };
+
+/// Constant data of wall particles: normal into the fluid, zero where nothing is projected.
+struct WallData {
+  std::vector<std::array<double, 3>> normal;  // by global id minus first_id
+  std::uint64_t first_id = 0;
+};
+
+/// What one sweep tells besides the rates it leaves in the store.
+struct SweepOutcome {
+  double signal_speed = 0.0;        // largest c + 0.6 (alpha c + beta max|mu|) [m/s]
+  std::size_t particle = 0;         // where
+  std::array<double, 3> wall_force{};  // force of all walls on the fluid [N]
+};
+
+/// Keeps the gathered records and runs the loops over pairs.
+class PairBackend {
+ public:
+  virtual ~PairBackend() = default;
+
+  /// Copies fluid particles to records: velocity and density predicted by `ahead` seconds of their
+  /// rates; pressure and sound speed as they stand in the store. Images follow.
+  virtual void gather_fluid(ParticleStore const& store, Search const& search, double ahead) = 0;
+
+  /// Extrapolates pressure, density and sound speed to the wall particles and makes their records.
+  virtual void gather_walls(ParticleStore& store, Search const& search, WallData const& walls) = 0;
+
+  /// Sums all terms over all pairs; writes acceleration (without gravity), density_rate and
+  /// energy_rate of the fluid.
+  virtual SweepOutcome sweep(ParticleStore& store, Search const& search) = 0;
+
+  /// Directed pairs of a fluid particle with a fluid or wall neighbour closer than the support.
+  virtual std::uint64_t count_pairs(Search const& search) const = 0;
+
+  virtual std::size_t bytes() const = 0;
+};
+
+/// A backend; reference densities by material id [kg/m^3].
+std::unique_ptr<PairBackend> make_pair_backend(int dimension, Flavour flavour, KernelName kernel,
+                                               SchemeName scheme, SweepParameters const& parameters,
+                                               std::vector<double> reference_densities);
+
+}  // namespace moraine

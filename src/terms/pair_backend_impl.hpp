@@ -1,0 +1,268 @@
+// The pair backend as a template; instantiated from the list in pair_backends_*.cpp only.
+#pragma once
+
+#include <optional>
+
+#include "terms/pair_backend.hpp"
+#include "terms/records.hpp"
+#include "terms/reference_sweep.hpp"
+#include "terms/schemes.hpp"
+#include "terms/sweep.hpp"
+#include "terms/wall_extrapolation.hpp"
+
+namespace moraine {
+
+/// Number type of the lanes. Short lists (1D, 2D) waste fewer lanes with half-width registers.
+template <int D, Flavour flavour>
+struct LaneType {
+  static constexpr std::size_t floats = D == 3 || widest_float < 8 ? widest_float : 8;
+  using Slot = std::conditional_t<flavour == Flavour::mixed, float, double>;
+  using Real = std::conditional_t<flavour == Flavour::mixed, Simd<float, floats>,
+                                  Simd<double, (widest_float / 2 < 4 ? 2 : widest_float / 2)>>;
+};
+
+template <int D, Flavour flavour, class Kernel, class Scheme>
+class PairBackendImpl final : public PairBackend {
+  using Slot = typename LaneType<D, flavour>::Slot;
+  using Real = typename LaneType<D, flavour>::Real;
+  using FluidLayout = typename Scheme::Fluid;
+  using WallLayout = typename Scheme::Wall;
+
+ public:
+  PairBackendImpl(SweepParameters const& parameters, std::vector<double> reference_densities)
+      : parameters_(parameters),
+        uniform_(parameters.template uniform_as<Slot>()),
+        reference_densities_(std::move(reference_densities)) {}
+
+  void gather_fluid(ParticleStore const& store, Search const& search, double ahead) override {
+    Range const range = store.range(Kind::fluid);
+    auto const& images = search.images(Kind::fluid);
+    fluid_.resize(range.size(), images.size());
+    parameters_.position_scale = search.settings().fixed_point.scale;
+    for_each_block(range.size(), loop_block, [&](std::size_t begin, std::size_t end) {
+      gather_vectors(store, search.settings().fixed_point, ahead, begin, end);
+      gather_scalars(store, ahead, begin, end);
+    });
+    fluid_.refresh(images, search.settings().periodicity);
+  }
+
+  void gather_walls(ParticleStore& store, Search const& search, WallData const& walls) override {
+    Range const range = store.range(Kind::wall);
+    auto const& images = search.images(Kind::wall);
+    wall_.resize(range.size(), images.size());
+    auto const& map = search.settings().fixed_point;
+    for_each_block(range.size(), NeighbourList::block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        std::size_t const k = range.begin + i;
+        for (int axis = 0; axis < D; ++axis)
+          wall_.set_position(i, axis, store.component(Field::position, axis)[k], map);
+        extrapolate_to(store, search, k, i);
+        set_wall_record(store, walls, k, i);
+      }
+    });
+    wall_.refresh(images, search.settings().periodicity);
+  }
+
+  SweepOutcome sweep(ParticleStore& store, Search const& search) override {
+    auto const swept = [&](std::size_t begin, std::size_t end) {
+      return sweep_block(store, search, begin, end);
+    };
+    auto const combine = [](SweepOutcome a, SweepOutcome const& b) {
+      if (b.signal_speed > a.signal_speed) {
+        a.signal_speed = b.signal_speed;
+        a.particle = b.particle;
+      }
+      for (std::size_t axis = 0; axis < 3; ++axis) a.wall_force[axis] += b.wall_force[axis];
+      return a;
+    };
+    return reduce_blocks(store.range(Kind::fluid).size(), SweepOutcome{}, swept, combine);
+  }
+
+  std::uint64_t count_pairs(Search const& search) const override {
+    auto const add = [](std::uint64_t a, std::uint64_t b) { return a + b; };
+    auto const count = [&](std::size_t begin, std::size_t end) {
+      std::uint64_t pairs = 0;
+      for (std::size_t i = begin; i < end; ++i)
+        pairs += count_near(i, search.fluid_fluid().of(i), fluid_) +
+                 count_near(i, search.fluid_wall().of(i), wall_);
+      return pairs;
+    };
+    return reduce_blocks(fluid_.owned(), std::uint64_t{0}, count, add);
+  }
+
+  std::size_t bytes() const override { return fluid_.bytes() + wall_.bytes(); }
+
+ private:
+  void gather_vectors(ParticleStore const& store, FixedPoint const& map, double ahead,
+                      std::size_t begin, std::size_t end) {
+    for (int axis = 0; axis < D; ++axis) {
+      auto const x = store.component(Field::position, axis);
+      auto const v = store.component(Field::velocity, axis);
+      auto const a = store.component(Field::acceleration, axis);
+      for (std::size_t i = begin; i < end; ++i) {
+        fluid_.set_position(i, axis, x[i], map);
+        fluid_.set(i, PairField::velocity, v[i] + ahead * a[i], axis);
+      }
+    }
+  }
+
+  void gather_scalars(ParticleStore const& store, double ahead, std::size_t begin, std::size_t end) {
+    auto const density = store.scalar(Field::density);
+    auto const density_rate = store.scalar(Field::density_rate);
+    auto const pressure = store.scalar(Field::pressure);
+    auto const material = store.material();
+    for (std::size_t i = begin; i < end; ++i) {
+      double const rho = density[i] + ahead * density_rate[i];
+      double const rho_0 = reference_densities_[material[i]];
+      fluid_.set(i, PairField::pressure_term, pressure[i] / (rho * rho));
+      fluid_.set(i, PairField::compression, (rho - rho_0) / rho_0);
+      if constexpr (!Scheme::uniform) {
+        fluid_.set(i, PairField::reference_density, rho_0);
+        fluid_.set(i, PairField::mass, store.scalar(Field::mass)[i]);
+        fluid_.set(i, PairField::sound_speed, store.scalar(Field::sound_speed)[i]);
+      }
+    }
+  }
+
+  void extrapolate_to(ParticleStore& store, Search const& search, std::size_t k, std::size_t i) {
+    auto const list = search.wall_fluid().of(i);
+    if (list.empty()) return;
+    WallState const state = extrapolate<flavour == Flavour::reference, Real, D, Kernel, FluidLayout>(
+        parameters_, wall_.record(i), uniform_.data(), list, fluid_.data());
+    if (state.weight <= 0.0) return;
+    store.scalar(Field::pressure)[k] = state.pressure;
+    store.scalar(Field::density)[k] = state.density;
+    store.scalar(Field::sound_speed)[k] = state.sound_speed;
+  }
+
+  void set_wall_record(ParticleStore const& store, WallData const& walls, std::size_t k,
+                       std::size_t i) {
+    double const rho = store.scalar(Field::density)[k];
+    double const p = store.scalar(Field::pressure)[k];
+    double const rho_0 =
+        Scheme::uniform ? parameters_.uniform[static_cast<std::size_t>(PairField::reference_density)]
+                        : rho;
+    auto const& n = walls.normal[store.id()[k] - walls.first_id];
+    for (int axis = 0; axis < D; ++axis) {
+      wall_.set(i, PairField::velocity, 0.0, axis);
+      wall_.set(i, PairField::normal, n[static_cast<std::size_t>(axis)], axis);
+    }
+    wall_.set(i, PairField::pressure_term, p / (rho * rho));
+    wall_.set(i, PairField::compression, (rho - rho_0) / rho_0);
+    if constexpr (!Scheme::uniform) {
+      wall_.set(i, PairField::reference_density, rho_0);
+      wall_.set(i, PairField::mass, rho * parameters_.particle_volume);
+      wall_.set(i, PairField::sound_speed, store.scalar(Field::sound_speed)[k]);
+    }
+  }
+
+  SweepOutcome sweep_block(ParticleStore& store, Search const& search, std::size_t begin,
+                           std::size_t end) const {
+    SweepOutcome outcome;
+    auto const density_rate = store.scalar(Field::density_rate);
+    auto const energy_rate = store.scalar(Field::energy_rate);
+    auto const sound_speed = store.scalar(Field::sound_speed);
+    auto const particle_mass = store.scalar(Field::mass);
+    std::span<double> acceleration[D];
+    for (int axis = 0; axis < D; ++axis)
+      acceleration[axis] = store.component(Field::acceleration, axis);
+    for_each_sum(search, begin, end, [&](std::size_t i, auto const& sum, auto const& from_fluid) {
+      for (int axis = 0; axis < D; ++axis) {
+        acceleration[axis][i] = sum_of_lanes(sum.acceleration[axis]);
+        if (from_fluid)
+          outcome.wall_force[static_cast<std::size_t>(axis)] +=
+              particle_mass[i] * sum_of_lanes(sum.acceleration[axis] - from_fluid->acceleration[axis]);
+      }
+      density_rate[i] = sum_of_lanes(sum.density_rate);
+      energy_rate[i] = sum_of_lanes(sum.energy_rate);
+      double const mu = largest_lane(-sum.approach_speed);
+      double const signal = sound_speed[i] + 0.6 * (parameters_.viscosity_alpha * sound_speed[i] +
+                                                    parameters_.viscosity_beta * mu);
+      if (!(signal <= outcome.signal_speed)) {  // also taken when not a number
+        outcome.signal_speed = signal;
+        outcome.particle = i;
+      }
+    });
+    return outcome;
+  }
+
+  /// Calls use(i, sum over all neighbours, the sum before wall neighbours were added if any were).
+  template <class Use>
+  void for_each_sum(Search const& search, std::size_t begin, std::size_t end, Use&& use) const {
+    using Number = std::conditional_t<flavour == Flavour::reference, double, Real>;
+    SweepConstants<Real, D, Kernel> const constants(parameters_);
+    auto const with_fluid = fluid_terms<Number, D>(parameters_);
+    auto const with_wall = wall_terms<Number>(parameters_);
+    for (std::size_t i = begin; i < end; ++i) {
+      Broadcast<Number, FluidLayout> const self{fluid_.record(i), uniform_.data()};
+      auto const fluids = search.fluid_fluid().of(i);
+      auto const walls = search.fluid_wall().of(i);
+      PairSum<Number, D> sum{};
+      if constexpr (flavour == Flavour::reference)
+        reference_sum<false, D, Kernel, FluidLayout>(parameters_, self, fluids, fluid_.data(),
+                                                     with_fluid, sum);
+      else
+        sum_over_pairs<false, Real, D, Kernel, FluidLayout>(constants, self, fluids, fluid_.data(),
+                                                            with_fluid, sum);
+      std::optional<PairSum<Number, D>> from_fluid;
+      if (!walls.empty()) {
+        from_fluid = sum;
+        if constexpr (flavour == Flavour::reference)
+          reference_sum<true, D, Kernel, WallLayout>(parameters_, self, walls, wall_.data(),
+                                                     with_wall, sum);
+        else
+          sum_over_pairs<true, Real, D, Kernel, WallLayout>(constants, self, walls, wall_.data(),
+                                                            with_wall, sum);
+      }
+      use(i, sum, from_fluid);
+    }
+  }
+
+  template <class Neighbours>
+  std::uint64_t count_near(std::size_t i, std::span<std::uint32_t const> list,
+                           Neighbours const& neighbours) const {
+    double const reach = kernel_support * parameters_.smoothing_length;
+    std::uint64_t near = 0;
+    for (std::uint32_t const j : list) {
+      double distance2 = 0.0;
+      for (int axis = 0; axis < D; ++axis) {
+        double const difference = metres_between(fluid_.record(i)[axis], neighbours.record(j)[axis]);
+        distance2 += difference * difference;
+      }
+      near += distance2 < reach * reach ? 1 : 0;
+    }
+    return near;
+  }
+
+  double metres_between(Slot a, Slot b) const {
+    if constexpr (std::is_same_v<Slot, float>)
+      return (static_cast<double>(std::bit_cast<Units>(a)) - static_cast<double>(std::bit_cast<Units>(b))) *
+             parameters_.position_scale;
+    else
+      return a - b;
+  }
+
+  SweepParameters parameters_;
+  UniformFields<Slot> uniform_;
+  std::vector<double> reference_densities_;
+  Records<Slot, FluidLayout> fluid_;
+  Records<Slot, WallLayout> wall_;
+};
+
+/// All schemes and kernels of one dimension and flavour.
+template <int D, Flavour flavour>
+std::unique_ptr<PairBackend> make_backend(KernelName kernel, SchemeName scheme,
+                                          SweepParameters const& p, std::vector<double> densities) {
+  auto const with = [&]<class Kernel>(Kernel) -> std::unique_ptr<PairBackend> {
+    if (scheme == SchemeName::liquid && flavour != Flavour::reference) {
+      using Liquid = PairBackendImpl<D, flavour == Flavour::reference ? Flavour::full : flavour,
+                                     Kernel, LiquidScheme<D>>;
+      return std::make_unique<Liquid>(p, std::move(densities));
+    }
+    return std::make_unique<PairBackendImpl<D, flavour, Kernel, CompressibleScheme<D>>>(
+        p, std::move(densities));
+  };
+  return kernel == KernelName::cubic_spline ? with(CubicSpline<D>{}) : with(WendlandC2<D>{});
+}
+
+}  // namespace moraine

@@ -1,0 +1,13 @@
+// Instances of the pair backend in 3D.
+#include "terms/pair_backend_impl.hpp"
+
+namespace moraine {
+
+template std::unique_ptr<PairBackend> make_backend<3, Flavour::mixed>(
+    KernelName, SchemeName, SweepParameters const&, std::vector<double>);
+template std::unique_ptr<PairBackend> make_backend<3, Flavour::full>(
+    KernelName, SchemeName, SweepParameters const&, std::vector<double>);
+template std::unique_ptr<PairBackend> make_backend<3, Flavour::reference>(
+    KernelName, SchemeName, SweepParameters const&, std::vector<double>);
+
+}  // namespace moraine

@@ -1,0 +1,126 @@
+// What a pair term may read of a particle, and how records and lanes hold it.
+//
+// A record is the gathered copy of one particle: its position and the fields that the terms of a
+// sweep need, side by side, padded to quads of four numbers. Lanes are the same fields of W
+// particles at once. Terms see both through the accessors at the end of this file.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "base/macros.hpp"
+#include "base/simd.hpp"
+
+namespace moraine {
+
+enum class PairField : std::uint8_t {
+  velocity,           // m/s
+  pressure_term,      // p / rho^2 [Pa m^6/kg^2]
+  compression,        // rho / rho_0 - 1 [-]: small differences survive single precision
+  reference_density,  // rho_0 [kg/m^3]
+  mass,               // kg
+  sound_speed,        // m/s
+  normal,             // wall normal into the fluid, or zero [-]
+};
+inline constexpr std::size_t pair_field_count = 7;
+
+/// Numbers that a field takes in D dimensions.
+template <int D>
+constexpr int components(PairField field) {
+  return field == PairField::velocity || field == PairField::normal ? D : 1;
+}
+
+/// Where each field lies in a record: position first, then the listed fields.
+template <int D, PairField... fields>
+struct RecordLayout {
+  static constexpr int dimension = D;
+  static constexpr int absent = -1;
+
+  static constexpr int offset(PairField wanted) {
+    int at = D;
+    int found = absent;
+    ((found = fields == wanted ? at : found, at += components<D>(fields)), ...);
+    return found;
+  }
+  static constexpr bool has(PairField field) { return offset(field) != absent; }
+
+  static constexpr int width = (D + ... + components<D>(fields));
+  static constexpr int quads = (width + 3) / 4;
+  static constexpr std::size_t stride = static_cast<std::size_t>(quads) * 4;
+};
+
+/// Values of fields that are the same for all particles of a sweep and so are not in its records.
+template <class Slot>
+using UniformFields = std::array<Slot, pair_field_count>;
+
+/// W particles at once, read from their records: packed fields in lanes, uniform fields broadcast.
+template <class Real, class Layout>
+struct Lanes {
+  using Number = Real;
+  Real packed[Layout::stride];
+  SlotOf<Real> const* uniform;
+
+  template <PairField field>
+  MORAINE_FORMULA Real get(int component = 0) const {
+    if constexpr (Layout::has(field))
+      return packed[Layout::offset(field) + component];
+    else
+      return Real(uniform[static_cast<std::size_t>(field)]);
+  }
+};
+
+/// One particle whose fields are the same in all lanes; reads its record where it lies.
+template <class Real, class Layout>
+struct Broadcast {
+  using Number = Real;
+  SlotOf<Real> const* record;
+  SlotOf<Real> const* uniform;
+
+  MORAINE_FORMULA SlotOf<Real> position(int axis) const { return record[axis]; }
+
+  template <PairField field>
+  MORAINE_FORMULA Real get(int component = 0) const {
+    if constexpr (Layout::has(field))
+      return Real(record[Layout::offset(field) + component]);
+    else
+      return Real(uniform[static_cast<std::size_t>(field)]);
+  }
+};
+
+template <class P>
+MORAINE_FORMULA auto velocity(P const& particle, int axis) {
+  return particle.template get<PairField::velocity>(axis);
+}
+template <class P>
+MORAINE_FORMULA auto pressure_term(P const& particle) {
+  return particle.template get<PairField::pressure_term>();
+}
+template <class P>
+MORAINE_FORMULA auto compression(P const& particle) {
+  return particle.template get<PairField::compression>();
+}
+template <class P>
+MORAINE_FORMULA auto reference_density(P const& particle) {
+  return particle.template get<PairField::reference_density>();
+}
+template <class P>
+MORAINE_FORMULA auto mass(P const& particle) {
+  return particle.template get<PairField::mass>();
+}
+template <class P>
+MORAINE_FORMULA auto sound_speed(P const& particle) {
+  return particle.template get<PairField::sound_speed>();
+}
+template <class P>
+MORAINE_FORMULA auto normal(P const& particle, int axis) {
+  return particle.template get<PairField::normal>(axis);
+}
+
+/// Density rho = rho_0 (1 + compression) [kg/m^3].
+template <class P>
+MORAINE_FORMULA auto density(P const& particle) {
+  return reference_density(particle) * (number<typename P::Number>(1) + compression(particle));
+}
+
+}  // namespace moraine

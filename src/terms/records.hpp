@@ -1,0 +1,76 @@
+// Gathered copies: the records of one kind of particle, refreshed once per step.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <type_traits>
+
+#include "base/aligned_vector.hpp"
+#include "base/parallel_for.hpp"
+#include "search/search.hpp"
+#include "store/particle_store.hpp"
+#include "terms/pair_fields.hpp"
+
+namespace moraine {
+
+/// Records of owned particles, then of their images, then one that lies nowhere. Positions are
+/// fixed-point units (kept as bits) for Slot float, metres for Slot double.
+template <class Slot, class Layout>
+class Records {
+ public:
+  static constexpr int D = Layout::dimension;
+  static constexpr bool fixed = std::is_same_v<Slot, float>;
+
+  void resize(std::size_t owned, std::size_t images) {
+    owned_ = owned;
+    slots_.resize((owned + images + 1) * Layout::stride);
+    Slot* const last = slots_.data() + (owned + images) * Layout::stride;
+    for (std::size_t k = 0; k < Layout::stride; ++k) last[k] = Slot(0);
+    for (int axis = 0; axis < D; ++axis)
+      last[axis] = fixed ? std::bit_cast<float>(FixedPoint::nowhere) : Slot(1e15);
+    if constexpr (Layout::has(PairField::reference_density))
+      last[Layout::offset(PairField::reference_density)] = Slot(1);
+  }
+
+  Slot* record(std::size_t i) { return slots_.data() + i * Layout::stride; }
+  Slot const* data() const { return slots_.data(); }
+  Slot const* record(std::size_t i) const { return slots_.data() + i * Layout::stride; }
+
+  void set_position(std::size_t i, int axis, double x, FixedPoint const& map) {
+    if constexpr (fixed)
+      record(i)[axis] = std::bit_cast<float>(map.units(x, axis));
+    else
+      record(i)[axis] = x;
+  }
+  void set(std::size_t i, PairField field, double value, int component = 0) {
+    record(i)[Layout::offset(field) + component] = static_cast<Slot>(value);
+  }
+
+  /// Copies records to their images, moved by whole periods.
+  void refresh(std::vector<Image> const& images, Periodicity const& sides) {
+    for_each_block(images.size(), loop_block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        Slot* const to = record(owned_ + k);
+        Slot const* const from = record(images[k].source);
+        std::copy(from, from + Layout::stride, to);
+        for (std::size_t axis = 0; axis < static_cast<std::size_t>(D); ++axis) {
+          int const shift = images[k].shift[axis];
+          if constexpr (fixed)
+            to[axis] = std::bit_cast<float>(
+                sides.image_units(std::bit_cast<Units>(from[axis]), shift, axis));
+          else
+            to[axis] = from[axis] + shift * sides.period[axis];
+        }
+      }
+    });
+  }
+
+  std::size_t owned() const { return owned_; }
+  std::size_t bytes() const { return slots_.capacity() * sizeof(Slot); }
+
+ private:
+  AlignedVector<Slot> slots_;
+  std::size_t owned_ = 0;
+};
+
+}  // namespace moraine

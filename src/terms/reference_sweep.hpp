@@ -1,0 +1,56 @@
+// The pair loop written plainly: one neighbour at a time in scalar double.
+//
+// Nobody runs cases with it. It says in the fewest lines what the sweep must compute, and the tests
+// hold every SIMD flavour against it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <tuple>
+
+#include "smoothing/kernels.hpp"
+#include "terms/sweep.hpp"
+
+namespace moraine {
+
+template <bool wall, int D, class Kernel, class Layout, class Self, class Terms>
+void reference_sum(SweepParameters const& parameters, Self const& self,
+                   std::span<std::uint32_t const> list, double const* records, Terms const& terms,
+                   PairSum<double, D>& sum) {
+  double const h = parameters.smoothing_length;
+  for (std::uint32_t const j : list) {
+    Broadcast<double, Layout> const neighbour{records + j * Layout::stride, self.uniform};
+    Pair<double, D> pair{};
+    for (int axis = 0; axis < D; ++axis) {
+      pair.x[axis] = self.position(axis) - neighbour.position(axis);
+      pair.distance2 += pair.x[axis] * pair.x[axis];
+    }
+    double const q = std::sqrt(pair.distance2) / h;
+    if (q >= kernel_support) continue;
+    if constexpr (wall) {
+      double depth = 0.0;
+      double length2 = 0.0;
+      for (int axis = 0; axis < D; ++axis) {
+        depth += pair.x[axis] * normal(neighbour, axis);
+        length2 += normal(neighbour, axis) * normal(neighbour, axis);
+      }
+      if (length2 > 0.5)
+        for (int axis = 0; axis < D; ++axis) pair.x[axis] = depth * normal(neighbour, axis);
+    }
+    for (int axis = 0; axis < D; ++axis)
+      pair.approach += (velocity(self, axis) - velocity(neighbour, axis)) * pair.x[axis];
+    pair.gradient = Kernel::sigma / std::pow(h, D + 2) * Kernel::slope_over_q(q);
+
+    PairRates<double> rates{};
+    std::apply([&](auto const&... term) { (term(pair, self, neighbour, rates), ...); }, terms);
+
+    double const share = wall ? 1.0 : 0.5;
+    for (int axis = 0; axis < D; ++axis)
+      sum.acceleration[axis] -= mass(neighbour) * rates.stress * pair.gradient * pair.x[axis];
+    sum.energy_rate += share * mass(neighbour) * rates.stress * pair.gradient * pair.approach;
+    sum.density_rate += mass(neighbour) * rates.density_rate;
+    sum.approach_speed = std::min(sum.approach_speed, rates.approach_speed);
+  }
+}
+
+}  // namespace moraine

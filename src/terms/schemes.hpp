@@ -1,0 +1,58 @@
+// The sets of pair terms that the sweep is instantiated for, with the records they read.
+#pragma once
+
+#include <tuple>
+
+#include "terms/artificial_viscosity.hpp"
+#include "terms/continuity_density.hpp"
+#include "terms/density_diffusion.hpp"
+#include "terms/pair_fields.hpp"
+#include "terms/pressure_force.hpp"
+#include "terms/sweep_parameters.hpp"
+
+namespace moraine {
+
+/// Terms between fluid particles, built for a number type from the parameters of a run.
+template <class Real, int D>
+auto fluid_terms(SweepParameters const& p) {
+  DensityDiffusion<Real, D> diffusion{number<Real>(2.0 * p.density_diffusion * p.smoothing_length),
+                                      number<Real>(p.softening2()),
+                                      {}};
+  for (int axis = 0; axis < D; ++axis)
+    diffusion.hydrostatic_slope[axis] = number<Real>(p.hydrostatic_slope[static_cast<std::size_t>(axis)]);
+  return std::tuple{ContinuityDensity{}, PressureForce{},
+                    ArtificialViscosity<Real>{number<Real>(p.viscosity_alpha), number<Real>(p.viscosity_beta),
+                                              number<Real>(p.smoothing_length), number<Real>(p.softening2())},
+                    diffusion};
+}
+
+/// Terms between a fluid particle and a wall: no diffusion, a wall has no density of its own.
+template <class Real>
+auto wall_terms(SweepParameters const& p) {
+  return std::tuple{ContinuityDensity{}, PressureForce{},
+                    ArtificialViscosity<Real>{number<Real>(p.viscosity_alpha), number<Real>(p.viscosity_beta),
+                                              number<Real>(p.smoothing_length), number<Real>(p.softening2())}};
+}
+
+/// One weakly compressible liquid: mass, reference density and sound speed are the same for all
+/// particles, so that a record fits two quads in 3D.
+template <int D>
+struct LiquidScheme {
+  static constexpr bool uniform = true;
+  using Fluid = RecordLayout<D, PairField::velocity, PairField::pressure_term, PairField::compression>;
+  using Wall = RecordLayout<D, PairField::velocity, PairField::pressure_term, PairField::compression,
+                            PairField::normal>;
+};
+
+/// Any mixture of compressible materials.
+template <int D>
+struct CompressibleScheme {
+  static constexpr bool uniform = false;
+  using Fluid = RecordLayout<D, PairField::velocity, PairField::pressure_term, PairField::compression,
+                             PairField::reference_density, PairField::mass, PairField::sound_speed>;
+  using Wall = RecordLayout<D, PairField::velocity, PairField::pressure_term, PairField::compression,
+                            PairField::reference_density, PairField::mass, PairField::sound_speed,
+                            PairField::normal>;
+};
+
+}  // namespace moraine

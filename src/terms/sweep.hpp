@@ -1,0 +1,127 @@
+// The loop over particle pairs.
+//
+// For each particle i the sweep walks its neighbour list W lanes at a time, turns the records of the
+// neighbours into lanes, forms the pair geometry, calls all terms, and adds up. It is the only place
+// where pairs are looped over with SIMD; `reference_sweep` beside it is the same loop written plainly
+// in scalar double, and tests hold one against the other.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <tuple>
+
+#include "base/simd.hpp"
+#include "terms/pair.hpp"
+#include "terms/pair_fields.hpp"
+#include "terms/sweep_parameters.hpp"
+
+namespace moraine {
+
+/// What the sweep adds up for one particle.
+template <class Real, int D>
+struct PairSum {
+  Real acceleration[D];
+  Real density_rate;
+  Real energy_rate;
+  Real approach_speed;  // most negative mu_ij [m/s]
+};
+
+/// x_i - x_j along one axis: exact for fixed-point records (Slot float), plain for double.
+template <class Real>
+MORAINE_FORMULA Real separation(SlotOf<Real> x_i, Real x_j, Real scale) {
+  if constexpr (std::is_same_v<SlotOf<Real>, float>) {
+    using Integers = Simd<std::int32_t, Real::size()>;
+    return convert<float>(Integers(std::bit_cast<std::int32_t>(x_i)) -
+                          __builtin_bit_cast(Integers, x_j)) * scale;
+  } else {
+    return Real(x_i) - x_j;
+  }
+}
+
+/// Everything that does not change from particle to particle, in lanes.
+template <class Real, int D, class Kernel>
+struct SweepConstants {
+  explicit SweepConstants(SweepParameters const& p)
+      : position_scale(number<Real>(p.position_scale)),
+        inverse_h2(number<Real>(1.0 / (p.smoothing_length * p.smoothing_length))),
+        gradient_factor(number<Real>(Kernel::sigma / std::pow(p.smoothing_length, D + 2))) {}
+
+  Real position_scale;
+  Real inverse_h2;
+  Real gradient_factor;  // sigma_d / h^(d+2)
+};
+
+/// Reads the records of W neighbours into lanes.
+template <class Real, class Layout>
+MORAINE_FORMULA void load_lanes(SlotOf<Real> const* records, std::uint32_t const* index,
+                Lanes<Real, Layout>& lanes) {
+  Real quad[4];
+  for (std::size_t q = 0; q < static_cast<std::size_t>(Layout::quads); ++q) {
+    load_transposed<SlotOf<Real>, Real::size()>(records + 4 * q, Layout::stride, index,
+                                                             quad);
+    for (std::size_t n = 0; n < 4; ++n) lanes.packed[4 * q + n] = quad[n];
+  }
+}
+
+/// Distance part of a pair; its approach and terms follow once walls have had their say.
+template <class Real, int D, class Self, class Neighbour>
+MORAINE_FORMULA Pair<Real, D> geometry(Real const& position_scale, Self const& self,
+                                       Neighbour const& lanes) {
+  Pair<Real, D> pair;
+  pair.distance2 = number<Real>(0);
+  for (int axis = 0; axis < D; ++axis) {
+    pair.x[axis] = separation(self.position(axis), lanes.packed[axis], position_scale);
+    pair.distance2 += pair.x[axis] * pair.x[axis];
+  }
+  return pair;
+}
+
+/// Free slip: only what lies along the wall normal n counts, x -> (x . n) n. Where the neighbour has
+/// no normal (n = 0: corners, no-slip walls) x stays as it is.
+template <class Real, int D, class Neighbour>
+MORAINE_FORMULA void project_on_normal(Neighbour const& lanes, Pair<Real, D>& pair) {
+  Real depth = number<Real>(0);
+  Real length2 = number<Real>(0);
+  for (int axis = 0; axis < D; ++axis) {
+    depth += pair.x[axis] * normal(lanes, axis);
+    length2 += normal(lanes, axis) * normal(lanes, axis);
+  }
+  for (int axis = 0; axis < D; ++axis)
+    pair.x[axis] = depth * normal(lanes, axis) + (number<Real>(1) - length2) * pair.x[axis];
+}
+
+/// Adds the neighbours in one list to `sum`. A wall has no internal energy: its pairs keep all of
+/// their work, other pairs half of it.
+template <bool wall, class Real, int D, class Kernel, class Layout, class Self, class Terms>
+void sum_over_pairs(SweepConstants<Real, D, Kernel> const& constants, Self const& self,
+                    std::span<std::uint32_t const> list, SlotOf<Real> const* records,
+                    Terms const& terms, PairSum<Real, D>& sum) {
+  Real const energy_share = number<Real>(wall ? 1.0 : 0.5);
+  Lanes<Real, Layout> lanes;
+  lanes.uniform = self.uniform;
+  for (std::size_t k = 0; k < list.size(); k += Real::size()) {
+    load_lanes(records, list.data() + k, lanes);
+    Pair<Real, D> pair = geometry<Real, D>(constants.position_scale, self, lanes);
+    if constexpr (wall) project_on_normal(lanes, pair);
+    pair.approach = number<Real>(0);
+    for (int axis = 0; axis < D; ++axis)
+      pair.approach += (velocity(self, axis) - velocity(lanes, axis)) * pair.x[axis];
+    Real const q = square_root(pair.distance2 * constants.inverse_h2);
+    pair.gradient = constants.gradient_factor * Kernel::slope_over_q(q);
+
+    PairRates<Real> rates{number<Real>(0), number<Real>(0), number<Real>(0)};
+    std::apply([&](auto const&... term) { (term(pair, self, lanes, rates), ...); }, terms);
+
+    Real const weight = mass(lanes);
+    Real const push = weight * rates.stress * pair.gradient;
+    for (int axis = 0; axis < D; ++axis) sum.acceleration[axis] -= push * pair.x[axis];
+    sum.energy_rate += energy_share * push * pair.approach;
+    sum.density_rate += weight * rates.density_rate;
+    sum.approach_speed =
+        minimum(sum.approach_speed, select(pair.gradient < number<Real>(0), rates.approach_speed, number<Real>(0)));
+  }
+}
+
+}  // namespace moraine

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+
+#include "terms/pair_fields.hpp"
+
+namespace moraine {
+
+/// Run-time numbers of a sweep, the same for all pairs.
+struct SweepParameters {
+  double smoothing_length = 0.0;   // h [m]
+  double position_scale = 1.0;     // metres per fixed-point unit
+  double viscosity_alpha = 0.0;    // [-]
+  double viscosity_beta = 0.0;     // [-]
+  double density_diffusion = 0.0;  // delta [-]
+  std::array<double, 3> gravity{};            // m/s^2
+  std::array<double, 3> hydrostatic_slope{};  // g / c_0^2 [1/m]
+  double particle_volume = 0.0;               // spacing^d [m^d], volume of a wall particle
+  UniformFields<double> uniform{};
+
+  /// The uniform fields as numbers of a record.
+  template <class Slot>
+  UniformFields<Slot> uniform_as() const {
+    UniformFields<Slot> values{};
+    for (std::size_t f = 0; f < pair_field_count; ++f) values[f] = static_cast<Slot>(uniform[f]);
+    return values;
+  }
+
+  /// phi^2 = (0.1 h)^2 [m^2], which keeps 1 / r^2 finite for close pairs.
+  double softening2() const { return 0.01 * smoothing_length * smoothing_length; }
+};
+
+}  // namespace moraine

@@ -1,0 +1,86 @@
+// The state of the fluid continued into a wall.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "terms/reference_sweep.hpp"
+#include "terms/sweep.hpp"
+
+namespace moraine {
+
+/// What a wall particle takes from the fluid around it.
+struct WallState {
+  double weight = 0.0;       // sum of W [1/m^d]; zero where no fluid is near
+  double pressure = 0.0;     // Pa
+  double density = 0.0;      // kg/m^3
+  double sound_speed = 0.0;  // m/s
+};
+
+template <class Real>
+struct WallSums {
+  Real weight, pressure, density, sound_speed, head;
+};
+
+template <class Real, int D, class Neighbour>
+MORAINE_FORMULA void add_to_wall(Real const& w, Real const (&x)[D], Real const (&gravity)[D],
+                                 Neighbour const& j, WallSums<Real>& sums) {
+  Real const rho = density(j);
+  Real along_gravity = number<Real>(0);
+  for (int axis = 0; axis < D; ++axis) along_gravity += gravity[axis] * x[axis];
+  sums.weight += w;
+  sums.pressure += w * pressure_term(j) * rho * rho;
+  sums.density += w * rho;
+  sums.sound_speed += w * sound_speed(j);
+  sums.head += w * rho * along_gravity;
+}
+
+/// Pressure, density and sound speed at a wall particle.
+///
+///   p_w = (sum_f p_f W_wf + (g - a_w) . sum_f rho_f x_wf W_wf) / sum_f W_wf
+///
+/// Source: Adami, Hu & Adams, J. Comput. Phys. 231 (2012) 7057, eq. 27; density and sound speed are
+/// the plain kernel means. a_w = 0: walls are at rest. g in m/s^2, x_wf = x_w - x_f in m.
+template <bool reference, class Real, int D, class Kernel, class Layout>
+WallState extrapolate(SweepParameters const& parameters, SlotOf<Real> const* self_record,
+                      SlotOf<Real> const* uniform, std::span<std::uint32_t const> list,
+                      SlotOf<Real> const* records) {
+  using Number = std::conditional_t<reference, double, Real>;
+  WallSums<Number> sums{};
+  Number gravity[D];
+  for (int axis = 0; axis < D; ++axis)
+    gravity[axis] = number<Number>(parameters.gravity[static_cast<std::size_t>(axis)]);
+  Number const inverse_h2 =
+      number<Number>(1.0 / (parameters.smoothing_length * parameters.smoothing_length));
+  auto const add = [&](auto const& neighbour, Number const (&x)[D]) {
+    Number distance2 = number<Number>(0);
+    for (int axis = 0; axis < D; ++axis) distance2 += x[axis] * x[axis];
+    add_to_wall<Number, D>(Kernel::shape(square_root(distance2 * inverse_h2)), x, gravity, neighbour,
+                           sums);
+  };
+  Number x[D];
+  if constexpr (reference) {
+    for (std::uint32_t const j : list) {
+      Broadcast<double, Layout> const neighbour{records + j * Layout::stride, uniform};
+      for (int axis = 0; axis < D; ++axis) x[axis] = self_record[axis] - neighbour.position(axis);
+      add(neighbour, x);
+    }
+  } else {
+    Real const scale = number<Real>(parameters.position_scale);
+    Lanes<Real, Layout> lanes;
+    lanes.uniform = uniform;
+    for (std::size_t k = 0; k < list.size(); k += Real::size()) {
+      load_lanes(records, list.data() + k, lanes);
+      for (int axis = 0; axis < D; ++axis)
+        x[axis] = separation(self_record[axis], lanes.packed[axis], scale);
+      add(lanes, x);
+    }
+  }
+  // The normalisation of the kernel drops out of all ratios.
+  double const weight = sum_of_lanes(sums.weight);
+  if (!(weight > 0.0)) return {};
+  return {weight, (sum_of_lanes(sums.pressure) + sum_of_lanes(sums.head)) / weight,
+          sum_of_lanes(sums.density) / weight, sum_of_lanes(sums.sound_speed) / weight};
+}
+
+}  // namespace moraine
