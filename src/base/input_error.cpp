@@ -25,10 +25,12 @@ std::string all_lines(std::vector<InputProblem> const& problems) {
   return text;
 }
 
-// "wendland" abbreviates "wendland_c2"; "x" does not abbreviate "xsph".
+// "wendland" abbreviates "wendland_c2", "sound_speed" abbreviates "reference_sound_speed".
 bool abbreviates(std::string_view part, std::string_view whole) {
-  return part.size() >= 3 && whole.size() > part.size() && whole.starts_with(part) &&
-         whole[part.size()] == '_';
+  if (part.size() < 3 || whole.size() <= part.size()) return false;
+  bool const front = whole.starts_with(part) && whole[part.size()] == '_';
+  bool const back = whole.ends_with(part) && whole[whole.size() - part.size() - 1] == '_';
+  return front || back;
 }
 
 }  // namespace

@@ -193,90 +193,116 @@ MORAINE_FORMULA T largest_lane(Simd<T, W> a) {
 
 // --- Records to lanes ---------------------------------------------------------------------------
 
-/// Reads the quad (four consecutive numbers) at base + index[lane] * stride of every lane and
-/// returns it transposed: out[k] lane l = base[index[l] * stride + k].
-///
-/// The quad must be aligned to its own size. Sixteen lanes cost sixteen 16-byte loads and eight
-/// shuffles, which on Zen 4 is 2.4 times cheaper than four hardware gathers (docs/decisions).
+namespace detail {
+
+/// Rows k, k + 4, k + 8, ... of quads side by side: lane group g holds quad `from[g]`.
 template <class T, std::size_t W>
-MORAINE_FORMULA void load_transposed(T const* base, std::size_t stride, std::uint32_t const* index,
-                            Simd<T, W> (&out)[4]) {
-  T columns[4][W];
-  for (std::size_t lane = 0; lane < W; ++lane)
-    for (std::size_t k = 0; k < 4; ++k) columns[k][lane] = base[index[lane] * stride + k];
-  for (std::size_t k = 0; k < 4; ++k) out[k] = Simd<T, W>::load(columns[k]);
-}
+struct QuadRows;
 
 #if defined(__AVX2__)
 template <>
-MORAINE_FORMULA void load_transposed<float, 8>(float const* base, std::size_t stride,
-                                      std::uint32_t const* index, Simd<float, 8> (&out)[4]) {
-  auto const rows = [&](int k) {
-    __m256 const low = _mm256_castps128_ps256(_mm_load_ps(base + index[k] * stride));
-    return _mm256_insertf128_ps(low, _mm_load_ps(base + index[k + 4] * stride), 1);
-  };
-  __m256 const r0 = rows(0), r1 = rows(1), r2 = rows(2), r3 = rows(3);
-  __m256 const a = _mm256_unpacklo_ps(r0, r1), b = _mm256_unpackhi_ps(r0, r1);
-  __m256 const c = _mm256_unpacklo_ps(r2, r3), d = _mm256_unpackhi_ps(r2, r3);
-  out[0] = Simd<float, 8>(_mm256_shuffle_ps(a, c, 0x44));
-  out[1] = Simd<float, 8>(_mm256_shuffle_ps(a, c, 0xEE));
-  out[2] = Simd<float, 8>(_mm256_shuffle_ps(b, d, 0x44));
-  out[3] = Simd<float, 8>(_mm256_shuffle_ps(b, d, 0xEE));
-}
+struct QuadRows<float, 8> {
+  MORAINE_FORMULA static __m256 join(float const* const* from, std::size_t offset) {
+    __m256 const low = _mm256_castps128_ps256(_mm_load_ps(from[0] + offset));
+    return _mm256_insertf128_ps(low, _mm_load_ps(from[1] + offset), 1);
+  }
+  MORAINE_FORMULA static void transpose(__m256 const (&r)[4], Simd<float, 8>* out) {
+    __m256 const a = _mm256_unpacklo_ps(r[0], r[1]), b = _mm256_unpackhi_ps(r[0], r[1]);
+    __m256 const c = _mm256_unpacklo_ps(r[2], r[3]), d = _mm256_unpackhi_ps(r[2], r[3]);
+    out[0] = _mm256_shuffle_ps(a, c, 0x44);
+    out[1] = _mm256_shuffle_ps(a, c, 0xEE);
+    out[2] = _mm256_shuffle_ps(b, d, 0x44);
+    out[3] = _mm256_shuffle_ps(b, d, 0xEE);
+  }
+};
 
 template <>
-MORAINE_FORMULA void load_transposed<double, 4>(double const* base, std::size_t stride,
-                                       std::uint32_t const* index, Simd<double, 4> (&out)[4]) {
-  auto const row = [&](int k) { return _mm256_load_pd(base + index[k] * stride); };
-  __m256d const r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
-  __m256d const a = _mm256_unpacklo_pd(r0, r1), b = _mm256_unpackhi_pd(r0, r1);
-  __m256d const c = _mm256_unpacklo_pd(r2, r3), d = _mm256_unpackhi_pd(r2, r3);
-  out[0] = Simd<double, 4>(_mm256_permute2f128_pd(a, c, 0x20));
-  out[1] = Simd<double, 4>(_mm256_permute2f128_pd(b, d, 0x20));
-  out[2] = Simd<double, 4>(_mm256_permute2f128_pd(a, c, 0x31));
-  out[3] = Simd<double, 4>(_mm256_permute2f128_pd(b, d, 0x31));
-}
+struct QuadRows<double, 4> {
+  MORAINE_FORMULA static __m256d join(double const* const* from, std::size_t offset) {
+    return _mm256_load_pd(from[0] + offset);
+  }
+  MORAINE_FORMULA static void transpose(__m256d const (&r)[4], Simd<double, 4>* out) {
+    __m256d const a = _mm256_unpacklo_pd(r[0], r[1]), b = _mm256_unpackhi_pd(r[0], r[1]);
+    __m256d const c = _mm256_unpacklo_pd(r[2], r[3]), d = _mm256_unpackhi_pd(r[2], r[3]);
+    out[0] = _mm256_permute2f128_pd(a, c, 0x20);
+    out[1] = _mm256_permute2f128_pd(b, d, 0x20);
+    out[2] = _mm256_permute2f128_pd(a, c, 0x31);
+    out[3] = _mm256_permute2f128_pd(b, d, 0x31);
+  }
+};
 #endif
 
 #if defined(MORAINE_AVX512)
 template <>
-MORAINE_FORMULA void load_transposed<float, 16>(float const* base, std::size_t stride,
-                                       std::uint32_t const* index, Simd<float, 16> (&out)[4]) {
-  auto const rows = [&](int k) {
-    __m512 r = _mm512_castps128_ps512(_mm_load_ps(base + index[k] * stride));
-    r = _mm512_insertf32x4(r, _mm_load_ps(base + index[k + 4] * stride), 1);
-    r = _mm512_insertf32x4(r, _mm_load_ps(base + index[k + 8] * stride), 2);
-    return _mm512_insertf32x4(r, _mm_load_ps(base + index[k + 12] * stride), 3);
-  };
-  auto const pd = [](__m512 v) { return _mm512_castps_pd(v); };
-  auto const ps = [](__m512d v) { return Simd<float, 16>(_mm512_castpd_ps(v)); };
-  __m512 const r0 = rows(0), r1 = rows(1), r2 = rows(2), r3 = rows(3);
-  __m512 const a = _mm512_unpacklo_ps(r0, r1), b = _mm512_unpackhi_ps(r0, r1);
-  __m512 const c = _mm512_unpacklo_ps(r2, r3), d = _mm512_unpackhi_ps(r2, r3);
-  out[0] = ps(_mm512_unpacklo_pd(pd(a), pd(c)));
-  out[1] = ps(_mm512_unpackhi_pd(pd(a), pd(c)));
-  out[2] = ps(_mm512_unpacklo_pd(pd(b), pd(d)));
-  out[3] = ps(_mm512_unpackhi_pd(pd(b), pd(d)));
-}
+struct QuadRows<float, 16> {
+  MORAINE_FORMULA static __m512 join(float const* const* from, std::size_t offset) {
+    __m512 r = _mm512_castps128_ps512(_mm_load_ps(from[0] + offset));
+    r = _mm512_insertf32x4(r, _mm_load_ps(from[1] + offset), 1);
+    r = _mm512_insertf32x4(r, _mm_load_ps(from[2] + offset), 2);
+    return _mm512_insertf32x4(r, _mm_load_ps(from[3] + offset), 3);
+  }
+  MORAINE_FORMULA static void transpose(__m512 const (&r)[4], Simd<float, 16>* out) {
+    __m512d const a = _mm512_castps_pd(_mm512_unpacklo_ps(r[0], r[1]));
+    __m512d const b = _mm512_castps_pd(_mm512_unpackhi_ps(r[0], r[1]));
+    __m512d const c = _mm512_castps_pd(_mm512_unpacklo_ps(r[2], r[3]));
+    __m512d const d = _mm512_castps_pd(_mm512_unpackhi_ps(r[2], r[3]));
+    out[0] = _mm512_castpd_ps(_mm512_unpacklo_pd(a, c));
+    out[1] = _mm512_castpd_ps(_mm512_unpackhi_pd(a, c));
+    out[2] = _mm512_castpd_ps(_mm512_unpacklo_pd(b, d));
+    out[3] = _mm512_castpd_ps(_mm512_unpackhi_pd(b, d));
+  }
+};
 
 template <>
-MORAINE_FORMULA void load_transposed<double, 8>(double const* base, std::size_t stride,
-                                       std::uint32_t const* index, Simd<double, 8> (&out)[4]) {
-  auto const rows = [&](int k) {
-    __m512d const low = _mm512_castpd256_pd512(_mm256_load_pd(base + index[k] * stride));
-    return _mm512_insertf64x4(low, _mm256_load_pd(base + index[k + 4] * stride), 1);
-  };
-  __m512d const r0 = rows(0), r1 = rows(1), r2 = rows(2), r3 = rows(3);
-  __m512d const a = _mm512_unpacklo_pd(r0, r1), b = _mm512_unpackhi_pd(r0, r1);
-  __m512d const c = _mm512_unpacklo_pd(r2, r3), d = _mm512_unpackhi_pd(r2, r3);
-  __m512i const even = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
-  __m512i const odd = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
-  out[0] = Simd<double, 8>(_mm512_permutex2var_pd(a, even, c));
-  out[1] = Simd<double, 8>(_mm512_permutex2var_pd(b, even, d));
-  out[2] = Simd<double, 8>(_mm512_permutex2var_pd(a, odd, c));
-  out[3] = Simd<double, 8>(_mm512_permutex2var_pd(b, odd, d));
-}
+struct QuadRows<double, 8> {
+  MORAINE_FORMULA static __m512d join(double const* const* from, std::size_t offset) {
+    __m512d const low = _mm512_castpd256_pd512(_mm256_load_pd(from[0] + offset));
+    return _mm512_insertf64x4(low, _mm256_load_pd(from[1] + offset), 1);
+  }
+  MORAINE_FORMULA static void transpose(__m512d const (&r)[4], Simd<double, 8>* out) {
+    __m512d const a = _mm512_unpacklo_pd(r[0], r[1]), b = _mm512_unpackhi_pd(r[0], r[1]);
+    __m512d const c = _mm512_unpacklo_pd(r[2], r[3]), d = _mm512_unpackhi_pd(r[2], r[3]);
+    __m512i const even = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+    __m512i const odd = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+    out[0] = _mm512_permutex2var_pd(a, even, c);
+    out[1] = _mm512_permutex2var_pd(b, even, d);
+    out[2] = _mm512_permutex2var_pd(a, odd, c);
+    out[3] = _mm512_permutex2var_pd(b, odd, d);
+  }
+};
 #endif
+
+template <class T, std::size_t W>
+concept HasQuadRows = requires { sizeof(QuadRows<T, W>); };
+
+}  // namespace detail
+
+/// Reads the record at base + offset[lane] * stride of every lane and returns it transposed:
+/// out[k] lane l = base[offset[l] * stride + k] for k < 4 * quads.
+///
+/// A quad is four numbers; records are aligned to quads. Sixteen lanes cost sixteen 16-byte loads
+/// and eight shuffles a quad, which on Zen 4 is 2.4 times cheaper than four hardware gathers
+/// (docs/decisions/0002-simd.md). All quads of four records are read together, so that an address is
+/// formed once.
+template <int quads, class T, std::size_t W>
+MORAINE_FORMULA void load_transposed(T const* base, std::size_t stride, std::uint16_t const* offset,
+                                     Simd<T, W>* out) {
+  if constexpr (detail::HasQuadRows<T, W>) {
+    using Rows = detail::QuadRows<T, W>;
+    decltype(Rows::join(nullptr, 0)) rows[quads][4];
+    for (std::size_t k = 0; k < 4; ++k) {
+      T const* from[W / 4];
+      for (std::size_t g = 0; g < W / 4; ++g) from[g] = base + offset[k + 4 * g] * stride;
+      for (std::size_t q = 0; q < quads; ++q) rows[q][k] = Rows::join(from, 4 * q);
+    }
+    for (std::size_t q = 0; q < quads; ++q) Rows::transpose(rows[q], out + 4 * q);
+  } else {
+    T columns[4 * quads][W];
+    for (std::size_t lane = 0; lane < W; ++lane)
+      for (std::size_t k = 0; k < 4 * quads; ++k) columns[k][lane] = base[offset[lane] * stride + k];
+    for (std::size_t k = 0; k < 4 * quads; ++k) out[k] = Simd<T, W>::load(columns[k]);
+  }
+}
 
 // --- Appending selected lanes -------------------------------------------------------------------
 

@@ -12,6 +12,7 @@ GridShape GridShape::over(UnitPoint const& low, UnitPoint const& high, int dimen
   GridShape shape;
   for (;; edge *= 2.0) {
     shape.edge = edge;
+    shape.inverse_edge = 1.0 / edge;
     double count = 1.0;
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
       shape.origin[axis] = low[axis];

@@ -15,6 +15,7 @@ using UnitPoint = std::array<Units, 3>;
 struct GridShape {
   std::array<double, 3> origin{};      // units
   double edge = 1.0;                   // units
+  double inverse_edge = 1.0;           // 1 / units
   std::array<int, 3> cells{1, 1, 1};
 
   /// Covers [low, high] with cells of at least this edge; the edge doubles while there would be more
@@ -25,7 +26,7 @@ struct GridShape {
   /// Cell along one axis, clamped to the grid. Monotonic in x, so that ranges of cells are safe.
   int along(double x, int axis) const {
     auto const k = static_cast<std::size_t>(axis);
-    int const cell = static_cast<int>((x - origin[k]) / edge);
+    int const cell = static_cast<int>((x - origin[k]) * inverse_edge);
     return cell < 0 ? 0 : (cell >= cells[k] ? cells[k] - 1 : cell);
   }
   std::size_t index(int cx, int cy, int cz) const {

@@ -53,17 +53,35 @@ void DisplacementBound::reset(CellGrid const& fluid, CellGrid const& walls, std:
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
     reference_[axis].assign(positions[axis].begin(), positions[axis].begin() + static_cast<std::ptrdiff_t>(owned));
 
-  near_wall_.assign(coarse_.size(), 0);
-  auto const reach = [](int c, int step, int cells) { return std::clamp(c + step, 0, cells - 1); };
-  for (std::size_t w = 0; w < walls.size(); ++w) {
-    int c[3] = {0, 0, 0};
-    for (int axis = 0; axis < dimension_; ++axis)
-      c[axis] = coarse_.along(walls.x[static_cast<std::size_t>(axis)][w], axis);
-    for (int z = -1; z <= 1; ++z)
-      for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x)
-          near_wall_[coarse_.index(reach(c[0], x, coarse_.cells[0]), reach(c[1], y, coarse_.cells[1]),
-                                   reach(c[2], z, coarse_.cells[2]))] = 1;
+  mark(walls, near_wall_);
+  mark(fluid, near_fluid_);
+}
+
+/// Marks the coarse cells of points and all cells around them.
+void DisplacementBound::mark(CellGrid const& points, std::vector<std::uint8_t>& near) const {
+  near.assign(coarse_.size(), 0);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    UnitPoint x{};
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
+      x[axis] = points.x[axis][k];
+    near[coarse_cell(x)] = 1;
+  }
+  std::size_t step = 1;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) {
+    auto const along = static_cast<std::size_t>(coarse_.cells[axis]);
+    std::uint8_t before = 0;  // mark of the cell one step back, as it was
+    for (std::size_t first = 0; first < coarse_.size(); first += step * along)
+      for (std::size_t offset = 0; offset < step; ++offset) {
+        before = 0;
+        for (std::size_t place = 0; place < along; ++place) {
+          std::size_t const c = first + offset + place * step;
+          std::uint8_t const here = near[c];
+          std::uint8_t const next = place + 1 < along ? near[c + step] : std::uint8_t{0};
+          near[c] = before | here | next;
+          before = here;
+        }
+      }
+    step *= along;
   }
 }
 
@@ -163,7 +181,8 @@ DisplacementBound::Largest DisplacementBound::largest(
 }
 
 std::size_t DisplacementBound::bytes() const {
-  std::size_t sum = (order_.capacity() + start_.capacity()) * 4 + near_wall_.capacity();
+  std::size_t sum = (order_.capacity() + start_.capacity()) * 4 +
+                    near_wall_.capacity() + near_fluid_.capacity();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     sum += reference_[axis].capacity() * sizeof(Units);
     for (Boxes const* boxes : {&own_, &around_, &scratch_})

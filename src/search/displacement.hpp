@@ -30,8 +30,9 @@ class DisplacementBound {
   };
   Largest largest(std::array<std::span<Units const>, 3> const& positions);
 
-  /// True where a fluid point of this coarse cell may have wall neighbours.
+  /// False where no wall point, or no fluid point, can be a neighbour of a point here.
   bool near_wall(UnitPoint const& x) const { return near_wall_[coarse_cell(x)] != 0; }
+  bool near_fluid(UnitPoint const& x) const { return near_fluid_[coarse_cell(x)] != 0; }
 
   std::size_t bytes() const;
 
@@ -41,6 +42,7 @@ class DisplacementBound {
   };
   std::size_t coarse_cell(UnitPoint const& x) const;
   void collect(std::array<std::span<Units const>, 3> const& positions);
+  void mark(CellGrid const& points, std::vector<std::uint8_t>& near) const;
   void spread(int axis);
   void spread_everywhere();
 
@@ -51,7 +53,7 @@ class DisplacementBound {
   std::vector<std::uint32_t> order_;  // owned points by coarse cell
   std::vector<std::uint32_t> start_;  // [coarse cell]
   std::array<std::vector<Units>, 3> reference_;
-  std::vector<std::uint8_t> near_wall_;
+  std::vector<std::uint8_t> near_wall_, near_fluid_;
   Boxes own_, around_, scratch_;
 };
 

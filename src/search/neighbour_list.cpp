@@ -1,26 +1,70 @@
 #include "search/neighbour_list.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/simd.hpp"
 
 namespace moraine {
 
-void NeighbourList::store(std::size_t index, std::span<std::uint32_t const> indices) {
-  auto& stored = blocks_[index].indices;
-  // A little slack instead of the usual doubling: lists are most of the memory of a run.
-  if (stored.capacity() < indices.size()) {
-    std::vector<std::uint32_t>().swap(stored);
-    stored.reserve(indices.size() + indices.size() / 32);
+namespace {
+
+/// Replaces the content, with a little slack instead of the usual doubling: lists are most of the
+/// memory of a run.
+template <class T>
+void assign_tightly(std::vector<T>& to, std::vector<T> const& from) {
+  if (to.capacity() < from.size()) {
+    std::vector<T>().swap(to);
+    to.reserve(from.size() + from.size() / 32);
   }
-  stored.assign(indices.begin(), indices.end());
+  to.assign(from.begin(), from.end());
+}
+
+}  // namespace
+
+void NeighbourList::encode(std::span<std::uint32_t> points, Scratch& scratch) const {
+  for (std::size_t k = 0; k < points.size();) {
+    std::uint32_t const base = slot_of(points[k]);
+    std::size_t const room = std::min(lanes_, points.size() - k);
+    std::size_t taken = room;
+    while (slot_of(points[k + taken - 1]) - base > 0xFFFFu) --taken;
+    std::size_t const first = scratch.offsets.size();
+    scratch.offsets.resize(first + lanes_);
+    std::uint16_t* const out = scratch.offsets.data() + first;
+    std::uint32_t const* const in = points.data() + k;
+    for (std::size_t lane = 0; lane < taken; ++lane)
+      out[lane] = static_cast<std::uint16_t>(slot_of(in[lane]) - base);
+    for (std::size_t lane = taken; lane < lanes_; ++lane)
+      out[lane] = static_cast<std::uint16_t>(nowhere_after(base) - base);
+    scratch.bases.push_back(base);
+    k += taken;
+  }
+}
+
+void NeighbourList::store(Block& to, Scratch const& scratch) const {
+  assign_tightly(to.bases, scratch.bases);
+  assign_tightly(to.offsets, scratch.offsets);
+}
+
+std::vector<std::uint32_t> NeighbourList::points(std::size_t i) const {
+  std::vector<std::uint32_t> found;
+  NeighbourGroups const groups = of(i);
+  for (std::size_t k = 0; k < groups.count * lanes_; ++k) {
+    std::uint32_t const slot = groups.bases[k / lanes_] + groups.offsets[k];
+    if (!is_nowhere(slot)) found.push_back(point_at(slot));
+  }
+  return found;
 }
 
 std::size_t NeighbourList::bytes() const {
-  std::size_t words = 0;
-  for (Block const& b : blocks_) words += b.indices.capacity() + b.start.capacity();
-  std::size_t sum = words * sizeof(std::uint32_t);
-  for (IndexBuffer const& buffer : scratch_) sum += buffer.bytes();
+  std::size_t sum = 0;
+  for (Block const& b : blocks_)
+    sum += (b.bases.capacity() + b.start.capacity()) * sizeof(std::uint32_t) +
+           b.offsets.capacity() * sizeof(std::uint16_t);
+  for (Scratch const& scratch : scratch_)
+    sum += scratch.found.bytes() + scratch.bases.capacity() * sizeof(std::uint32_t) +
+           scratch.offsets.capacity() * sizeof(std::uint16_t);
   return sum;
 }
 
@@ -59,13 +103,12 @@ template <int D>
 void RowCollector<D>::operator()(UnitPoint const& x, std::uint32_t self,
                                  IndexBuffer& buffer) const {
   GridShape const& shape = grid_.shape;
-  // Distance from x to the near side of a row of cells; a hair is taken off for rounding.
-  auto const gap = [&](int axis, int cell) {
-    auto const k = static_cast<std::size_t>(axis);
-    double const low = shape.origin[k] + shape.edge * cell - 1.0;
-    double const high = low + shape.edge + 2.0;
-    double const at = x[k];
-    return at < low ? low - at : (at > high ? at - high : 0.0);
+  // Square of the distance from x to a row of cells along one axis, taken short by a few units for
+  // rounding: a row too many costs nothing but time.
+  auto const gap2 = [&](std::size_t axis, int cell) {
+    double const low = shape.origin[axis] + shape.edge * cell - x[axis];
+    double const gap = std::max({low, -low - shape.edge, 2.0}) - 2.0;
+    return gap * gap;
   };
   auto const range = [&](int axis, double reach) {
     double const at = x[static_cast<std::size_t>(axis)];
@@ -74,14 +117,14 @@ void RowCollector<D>::operator()(UnitPoint const& x, std::uint32_t self,
   std::array<int, 2> const ys = D > 1 ? range(1, radius_) : std::array<int, 2>{0, 0};
   std::array<int, 2> const zs = D > 2 ? range(2, radius_) : std::array<int, 2>{0, 0};
   for (int cz = zs[0]; cz <= zs[1]; ++cz) {
-    double const dz = D > 2 ? gap(2, cz) : 0.0;
+    double const left2 = radius_ * radius_ - (D > 2 ? gap2(2, cz) : 0.0);
     for (int cy = ys[0]; cy <= ys[1]; ++cy) {
-      double const dy = D > 1 ? gap(1, cy) : 0.0;
-      double const half2 = radius_ * radius_ - dy * dy - dz * dz;
+      double const half2 = left2 - (D > 1 ? gap2(1, cy) : 0.0);
       if (half2 < 0.0) continue;
-      auto const xs = range(0, std::sqrt(half2) + 1.0);
-      row(x, self, grid_.start[shape.index(xs[0], cy, cz)],
-          grid_.start[shape.index(xs[1], cy, cz) + 1], buffer);
+      auto const xs = range(0, std::sqrt(half2) + 2.0);
+      std::size_t const first = shape.index(0, cy, cz);
+      row(x, self, grid_.start[first + static_cast<std::size_t>(xs[0])],
+          grid_.start[first + static_cast<std::size_t>(xs[1]) + 1], buffer);
     }
   }
 }

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "base/parallel_for.hpp"
+#include "base/simd.hpp"
 #include "search/cell_grid.hpp"
+#include "search/record_slots.hpp"
 
 namespace moraine {
 
@@ -21,7 +23,7 @@ class IndexBuffer {
   }
   void advance(std::size_t count) { used_ += count; }
   void clear() { used_ = 0; }
-  std::span<std::uint32_t const> content() const { return {indices_.data(), used_}; }
+  std::span<std::uint32_t> content() { return {indices_.data(), used_}; }
   std::size_t bytes() const { return indices_.capacity() * sizeof(std::uint32_t); }
 
  private:
@@ -29,40 +31,66 @@ class IndexBuffer {
   std::size_t used_ = 0;
 };
 
+/// One list: groups of `lanes` record slots, each slot a base plus a 16-bit offset.
+struct NeighbourGroups {
+  std::uint32_t const* bases = nullptr;    // [group]
+  std::uint16_t const* offsets = nullptr;  // [group * lanes + lane]
+  std::size_t count = 0;                   // groups
+  bool empty() const { return count == 0; }
+};
+
 /// Lists of consecutive points, kept in blocks that grow and never shrink.
 ///
-/// Every list is padded to a multiple of `lanes` with the index of a point that lies nowhere, so
-/// that the pair loops need no remainder. Inside a list, indices stand in the order of the cells.
+/// A list is cut into groups of lanes() neighbours whose record slots lie within 65536 of each other;
+/// a group that is not full is padded with a record that lies nowhere (record_slots.hpp), so that the
+/// pair loops need neither a remainder nor a mask. Inside a list, neighbours stand in ascending order
+/// of their slots.
 class NeighbourList {
  public:
   static constexpr std::size_t block = 256;
-  static constexpr std::size_t lanes = 16;
 
-  /// Padded list of point i.
-  std::span<std::uint32_t const> of(std::size_t i) const {
+  /// Lanes of a group: half-width registers where lists are short.
+  static constexpr std::size_t lanes(int dimension) {
+    return dimension == 3 && widest_float > 8 ? widest_float : 8;
+  }
+
+  NeighbourGroups of(std::size_t i) const {
     Block const& b = blocks_[i / block];
     std::size_t const k = i % block;
-    return {b.indices.data() + b.start[k], b.start[k + 1] - b.start[k]};
+    std::size_t const first = b.start[k];
+    return {b.bases.data() + first, b.offsets.data() + first * lanes_, b.start[k + 1] - first};
   }
   std::size_t size() const { return size_; }
+  std::size_t lanes() const { return lanes_; }
 
-  /// Makes the lists of `count` points: `collect(i, buffer)` appends the neighbours of point i;
-  /// `nowhere` pads.
+  /// Points in the list of point i, padding left out; for tests and for counting.
+  std::vector<std::uint32_t> points(std::size_t i) const;
+
+  /// Makes the lists of `count` points in groups of `lanes`: `collect(i, buffer)` appends the
+  /// neighbours of point i, in ascending order unless `unsorted`.
   template <class Collect>
-  void build(std::size_t count, std::uint32_t nowhere, Collect&& collect);
+  void build(std::size_t count, std::size_t lanes, bool unsorted, Collect&& collect);
 
   std::size_t bytes() const;
 
  private:
   struct Block {
-    std::vector<std::uint32_t> indices;
-    std::vector<std::uint32_t> start;
+    std::vector<std::uint32_t> bases;
+    std::vector<std::uint16_t> offsets;
+    std::vector<std::uint32_t> start;  // first group of each point
   };
-  void store(std::size_t index, std::span<std::uint32_t const> indices);
+  struct Scratch {
+    IndexBuffer found;
+    std::vector<std::uint32_t> bases;
+    std::vector<std::uint16_t> offsets;
+  };
+  void encode(std::span<std::uint32_t> points, Scratch& scratch) const;
+  void store(Block& block, Scratch const& scratch) const;
 
   std::vector<Block> blocks_;
-  std::vector<IndexBuffer> scratch_;  // one per thread
+  std::vector<Scratch> scratch_;  // one per thread
   std::size_t size_ = 0;
+  std::size_t lanes_ = 8;
 };
 
 /// Finds neighbours of a point among the entries of a grid.
@@ -85,27 +113,28 @@ class RowCollector {
 };
 
 template <class Collect>
-void NeighbourList::build(std::size_t count, std::uint32_t nowhere, Collect&& collect) {
+void NeighbourList::build(std::size_t count, std::size_t lanes, bool unsorted, Collect&& collect) {
   size_ = count;
+  lanes_ = lanes;
   std::size_t const blocks = (count + block - 1) / block;
   if (blocks_.size() < blocks) blocks_.resize(blocks);
   if (scratch_.size() < thread_count()) scratch_.resize(thread_count());
   for_each_block(count, block, [&](std::size_t begin, std::size_t end) {
-    IndexBuffer& buffer = scratch_[thread_index()];
-    buffer.clear();
+    Scratch& scratch = scratch_[thread_index()];
+    scratch.bases.clear();
+    scratch.offsets.clear();
     Block& b = blocks_[begin / block];
     b.start.resize(block + 1);
     b.start[0] = 0;
     for (std::size_t i = begin; i < end; ++i) {
-      collect(i, buffer);
-      std::size_t const odd = buffer.content().size() % lanes;
-      if (odd != 0) {
-        std::fill_n(buffer.room(lanes - odd), lanes - odd, nowhere);
-        buffer.advance(lanes - odd);
-      }
-      b.start[i - begin + 1] = static_cast<std::uint32_t>(buffer.content().size());
+      scratch.found.clear();
+      collect(i, scratch.found);
+      auto const found = scratch.found.content();
+      if (unsorted) std::sort(found.begin(), found.end());
+      encode(found, scratch);
+      b.start[i - begin + 1] = static_cast<std::uint32_t>(scratch.bases.size());
     }
-    store(begin / block, buffer.content());
+    store(b, scratch);
   });
 }
 

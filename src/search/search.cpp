@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "base/parallel_for.hpp"
 
@@ -10,7 +11,7 @@ namespace moraine {
 namespace {
 
 // Cost of a rebuild (sort, lists) in units of one pair sweep: measured 0.6 in 2D and 3D.
-constexpr double rebuild_cost = 0.6;
+double const rebuild_cost = getenv("RC") ? atof(getenv("RC")) : 0.6;
 // Share of a sweep's pairs that have a wall neighbour: typical of tanks; only tunes the skins.
 constexpr double wall_share = 0.15;
 // Bounds of a skin in supports: below, rounding; above, lists full of pairs out of reach.
@@ -18,7 +19,7 @@ constexpr double least_skin = 0.005;
 constexpr double most_skin = 0.25;
 constexpr double first_skin = 0.04;
 // Cells per list radius: short rows fit the sphere better, long rows fill the SIMD lanes.
-constexpr double cells_per_radius = 2.0;
+double const cells_per_radius = getenv("CPR") ? atof(getenv("CPR")) : 2.0;
 
 }  // namespace
 
@@ -90,75 +91,80 @@ void Search::wrap(ParticleStore& store) const {
   }
 }
 
-void Search::sort(ParticleStore& store) {
+void Search::fill(ParticleStore const& store, Kind kind, GridShape const& shape) {
+  Points& p = points(kind);
+  Range const range = store.range(kind);
+  auto const id = store.id().subspan(range.begin, range.size());
+  p.key.assign(id.begin(), id.end());
+  p.grid.fill(shape, settings_.dimension, p.spans(), p.key);
+}
+
+void Search::sort(ParticleStore& store, bool walls) {
   order_.resize(store.size());
-  std::size_t at = 0;
+  std::iota(order_.begin(), order_.end(), 0u);
   for (Kind const kind : {Kind::fluid, Kind::wall}) {
+    if (kind == Kind::wall && !walls) continue;
     Range const range = store.range(kind);
     CellGrid& grid = points(kind).grid;
     for (std::size_t k = 0; k < range.size(); ++k)
-      order_[at++] = static_cast<std::uint32_t>(range.begin + grid.entry[k]);
+      order_[range.begin + k] = static_cast<std::uint32_t>(range.begin + grid.entry[k]);
   }
-  store.permute(order_);
+  store.permute(order_, walls ? store.size() : store.range(Kind::fluid).size());
 }
 
-void Search::rebuild(ParticleStore& store) {
-  int const dimension = settings_.dimension;
-  double const scale = settings_.fixed_point.scale;
-  double const longest = settings_.support + std::max(skins_.fluid, skins_.wall);
-  if (settings_.periodicity.any()) wrap(store);
-  read_units(store, Kind::fluid);
-  read_units(store, Kind::wall);
-
-  UnitPoint low, high;
-  low.fill(std::numeric_limits<Units>::max());
-  high.fill(std::numeric_limits<Units>::min());
-  auto const reach = static_cast<Units>(longest / scale) + 2;
-  for (Points const& p : points_)
-    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis)
-      for (Units const x : p.x[axis]) {
+/// Grids of both kinds, the store in their order, and images. Walls at rest are sorted once.
+void Search::sort_points(ParticleStore& store, double reach) {
+  bool const walls = rebuilds_ == 0;
+  std::size_t const dimension = static_cast<std::size_t>(settings_.dimension);
+  auto const shape = [&](Kind kind) {
+    UnitPoint low, high;
+    low.fill(std::numeric_limits<Units>::max());
+    high.fill(std::numeric_limits<Units>::min());
+    for (std::size_t axis = 0; axis < dimension; ++axis) {
+      for (Units const x : points(kind).x[axis]) {
         low[axis] = std::min(low[axis], x);
         high[axis] = std::max(high[axis], x);
       }
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
-    if (!settings_.periodicity.periodic[axis]) continue;
-    low[axis] -= reach;
-    high[axis] += reach;
-  }
-  GridShape const shape = GridShape::over(low, high, dimension, longest / scale / cells_per_radius,
-                                          4 * store.size() + 4096);
-
-  auto const fill = [&](Kind kind) {
-    Points& p = points(kind);
-    Range const range = store.range(kind);
-    auto const id = store.id().subspan(range.begin, range.size());
-    p.key.assign(id.begin(), id.end());
-    p.images.clear();
-    p.grid.fill(shape, dimension, p.spans(), p.key);
-  };
-  fill(Kind::fluid);
-  fill(Kind::wall);
-  sort(store);
-  for (Kind const kind : {Kind::fluid, Kind::wall}) {
-    // The store is in cell order; the grid now needs the new indices, and images if there are any.
-    read_units(store, kind);
-    Points& p = points(kind);
-    Range const range = store.range(kind);
-    auto const id = store.id().subspan(range.begin, range.size());
-    p.key.assign(id.begin(), id.end());
-    if (settings_.periodicity.any()) {
-      append_images(settings_.periodicity, dimension, reach, p.x, p.key, p.images);
-      p.grid.fill(shape, dimension, p.spans(), p.key);
-    } else {
-      for (std::size_t k = 0; k < range.size(); ++k) p.grid.entry[k] = static_cast<std::uint32_t>(k);
+      if (!settings_.periodicity.periodic[axis]) continue;
+      low[axis] -= static_cast<Units>(reach);
+      high[axis] += static_cast<Units>(reach);
     }
+    return GridShape::over(low, high, settings_.dimension, reach / cells_per_radius,
+                           4 * store.size() + 4096);
+  };
+  for (Kind const kind : {Kind::fluid, Kind::wall}) {
+    if ((kind == Kind::wall && !walls) || store.range(kind).size() == 0) continue;
+    read_units(store, kind);
+    fill(store, kind, shape(kind));
   }
+  sort(store, walls);
+  for (Kind const kind : {Kind::fluid, Kind::wall}) {
+    Points& p = points(kind);
+    bool const images = settings_.periodicity.any();
+    if ((kind == Kind::wall && !walls && !images) || store.range(kind).size() == 0) continue;
+    // The store is in cell order now: entry k is point k, and images come behind.
+    read_units(store, kind);
+    GridShape const grid = p.grid.shape;
+    std::iota(p.grid.entry.begin(), p.grid.entry.end(), 0u);
+    if (!images) continue;
+    fill(store, kind, grid);
+    append_images(settings_.periodicity, settings_.dimension, static_cast<std::int64_t>(reach) + 2,
+                  p.x, p.key, p.images);
+    p.grid.fill(grid, settings_.dimension, p.spans(), p.key);
+  }
+}
+
+void Search::rebuild(ParticleStore& store) {
+  double const reach =
+      (settings_.support + std::max(skins_.fluid, skins_.wall)) / settings_.fixed_point.scale;
+  if (settings_.periodicity.any()) wrap(store);
+  sort_points(store, reach);
   displacement_.reset(points(Kind::fluid).grid, points(Kind::wall).grid,
-                      store.range(Kind::fluid).size(), longest / scale,
-                      !settings_.periodicity.any(), points(Kind::fluid).spans());
-  if (dimension == 1) make_lists<1>();
-  if (dimension == 2) make_lists<2>();
-  if (dimension == 3) make_lists<3>();
+                      store.range(Kind::fluid).size(), reach, !settings_.periodicity.any(),
+                      points(Kind::fluid).spans());
+  if (settings_.dimension == 1) make_lists<1>();
+  if (settings_.dimension == 2) make_lists<2>();
+  if (settings_.dimension == 3) make_lists<3>();
   steps_since_rebuild_ = 0;
   ++rebuilds_;
 }
@@ -171,33 +177,39 @@ void Search::make_lists() {
   double const fluid_radius = (settings_.support + skins_.fluid) / scale;
   double const wall_radius = (settings_.support + skins_.wall) / scale;
   constexpr std::uint32_t nobody = 0xFFFFFFFFu;
+  constexpr std::size_t lanes = NeighbourList::lanes(D);
+  bool const unsorted = settings_.periodicity.any();  // images stand among the owned points
   auto const at = [](Points const& p, std::size_t i) {
     UnitPoint x{};
     for (std::size_t axis = 0; axis < D; ++axis) x[axis] = p.x[axis][i];
     return x;
   };
-  auto const nowhere = [](Points const& p) { return static_cast<std::uint32_t>(p.key.size()); };
   std::size_t const fluids = fluid.key.size() - fluid.images.size();
   std::size_t const walls = wall.key.size() - wall.images.size();
 
   RowCollector<D> const near_fluid(fluid.grid, fluid_radius);
-  fluid_fluid_.build(fluids, nowhere(fluid), [&](std::size_t i, IndexBuffer& buffer) {
+  fluid_fluid_.build(fluids, lanes, unsorted, [&](std::size_t i, IndexBuffer& buffer) {
     near_fluid(at(fluid, i), static_cast<std::uint32_t>(i), buffer);
   });
   RowCollector<D> const near_wall(wall.grid, wall_radius);
-  fluid_wall_.build(fluids, nowhere(wall), [&](std::size_t i, IndexBuffer& buffer) {
+  fluid_wall_.build(fluids, lanes, unsorted, [&](std::size_t i, IndexBuffer& buffer) {
     UnitPoint const x = at(fluid, i);
     if (walls > 0 && displacement_.near_wall(x)) near_wall(x, nobody, buffer);
   });
   RowCollector<D> const wall_near_fluid(fluid.grid, wall_radius);
-  wall_fluid_.build(walls, nowhere(fluid), [&](std::size_t i, IndexBuffer& buffer) {
-    wall_near_fluid(at(wall, i), nobody, buffer);
+  wall_fluid_.build(walls, lanes, unsorted, [&](std::size_t i, IndexBuffer& buffer) {
+    UnitPoint const x = at(wall, i);
+    if (displacement_.near_fluid(x)) wall_near_fluid(x, nobody, buffer);
   });
+  wet_walls_.clear();
+  for (std::size_t i = 0; i < walls; ++i)
+    if (!wall_fluid_.of(i).empty()) wet_walls_.push_back(static_cast<std::uint32_t>(i));
 }
 
 std::size_t Search::bytes() const {
   std::size_t sum = fluid_fluid_.bytes() + fluid_wall_.bytes() + wall_fluid_.bytes() +
-                    displacement_.bytes() + order_.capacity() * sizeof(std::uint32_t);
+                    displacement_.bytes() +
+                    (order_.capacity() + wet_walls_.capacity()) * sizeof(std::uint32_t);
   for (Points const& p : points_) {
     sum += p.grid.bytes() + p.key.capacity() * sizeof(std::uint64_t) +
            p.images.capacity() * sizeof(Image);

@@ -45,6 +45,8 @@ class Search {
   NeighbourList const& fluid_fluid() const { return fluid_fluid_; }
   NeighbourList const& fluid_wall() const { return fluid_wall_; }
   NeighbourList const& wall_fluid() const { return wall_fluid_; }
+  /// Wall points that have fluid near, ascending.
+  std::vector<std::uint32_t> const& wet_walls() const { return wet_walls_; }
   std::vector<Image> const& images(Kind kind) const { return points(kind).images; }
   SearchSettings const& settings() const { return settings_; }
   Skins const& skins() const { return skins_; }
@@ -64,7 +66,9 @@ class Search {
 
   void read_units(ParticleStore const& store, Kind kind);
   void wrap(ParticleStore& store) const;
-  void sort(ParticleStore& store);
+  void fill(ParticleStore const& store, Kind kind, GridShape const& shape);
+  void sort(ParticleStore& store, bool walls);
+  void sort_points(ParticleStore& store, double reach);
   void choose_skins();
   void rebuild(ParticleStore& store);
   template <int D>
@@ -77,6 +81,7 @@ class Search {
   DisplacementBound::Largest seen_;
   Skins skins_;
   std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> wet_walls_;
   std::uint64_t steps_since_rebuild_ = 0;
   std::uint64_t rebuilds_ = 0;
 };

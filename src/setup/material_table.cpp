@@ -42,7 +42,7 @@ void add_tait(std::vector<Entry<MaterialSpec>>& entries) {
   table.add<&Tait::reference_density>("reference_density", Quantity::density, Limits::positive(),
                                       "density at the background pressure", "water");
   table.add<&Tait::reference_sound_speed>(
-      "sound_speed", Quantity::velocity, Limits::positive(),
+      "reference_sound_speed", Quantity::velocity, Limits::positive(),
       "sound speed at the reference density; ten times the largest velocity is usual", "water");
   table.add<&Tait::exponent>("exponent", Quantity::number, {.min = 1.0},
                              "exponent of the density ratio",

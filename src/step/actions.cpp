@@ -64,12 +64,14 @@ void Simulation::kick_and_drift() {
 void Simulation::remove_lost() {
   ParticleStore& store = model_.particles;
   std::size_t const count = store.range(Kind::fluid).size();
+  std::array<std::span<double const>, 3> position;
+  for (int axis = 0; axis < model_.dimension; ++axis)
+    position[static_cast<std::size_t>(axis)] = store.component(Field::position, axis);
   auto const outside = [&](std::size_t i) {
-    for (int axis = 0; axis < model_.dimension; ++axis) {
-      auto const k = static_cast<std::size_t>(axis);
-      if (model_.periodic[k]) continue;
-      double const x = store.component(Field::position, axis)[i];
-      if (!(x >= model_.domain_min[k] && x <= model_.domain_max[k])) return true;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(model_.dimension); ++k) {
+      double const x = position[k][i];
+      if (!model_.periodic[k] && !(x >= model_.domain_min[k] && x <= model_.domain_max[k]))
+        return true;
     }
     return false;
   };
@@ -151,6 +153,11 @@ void Simulation::kick_and_check() {
   auto energy = store.scalar(Field::specific_energy);
   auto const density_rate = store.scalar(Field::density_rate);
   auto const energy_rate = store.scalar(Field::energy_rate);
+  std::array<std::span<double>, 3> acceleration, velocity;
+  for (int axis = 0; axis < model_.dimension; ++axis) {
+    acceleration[static_cast<std::size_t>(axis)] = store.component(Field::acceleration, axis);
+    velocity[static_cast<std::size_t>(axis)] = store.component(Field::velocity, axis);
+  }
   auto const kick = [&](std::size_t begin, std::size_t end) {
     Largest largest;
     for (std::size_t i = begin; i < end; ++i) {
@@ -158,10 +165,10 @@ void Simulation::kick_and_check() {
       energy[i] += half * energy_rate[i];
       double acceleration2 = 0.0;
       double check = density[i] + energy[i];
-      for (int axis = 0; axis < model_.dimension; ++axis) {
-        double& a = store.component(Field::acceleration, axis)[i];
-        double& v = store.component(Field::velocity, axis)[i];
-        a += model_.gravity[static_cast<std::size_t>(axis)];
+      for (std::size_t axis = 0; axis < static_cast<std::size_t>(model_.dimension); ++axis) {
+        double& a = acceleration[axis][i];
+        double& v = velocity[axis][i];
+        a += model_.gravity[axis];
         v += half * a;
         acceleration2 += a * a;
         check += v;

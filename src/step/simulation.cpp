@@ -38,6 +38,7 @@ Simulation::Simulation(Model model)
       &Simulation::continue_into_walls, &Simulation::sum_pairs, &Simulation::kick_and_check};
   for (std::size_t k = 0; k < runs.size(); ++k)
     sequence_.push_back({action_table[k], runs[k], timers_.add(action_table[k].label)});
+  model_.particles.shrink();
   // Rates at the start: the second half of a step, with a step length of zero.
   vote_.time_step = 0.0;
   run_actions(3);

@@ -10,12 +10,15 @@ std::size_t slot(Field field, int axis) {
 }
 
 template <class T>
-void gather(std::vector<T>& values, std::vector<T>& scratch, std::span<std::uint32_t const> order) {
+void reorder(std::vector<T>& values, std::vector<T>& scratch,
+             std::span<std::uint32_t const> order) {
   std::size_t const count = std::min(values.size(), order.size());
   scratch.resize(values.size());
   for_each_block(count, loop_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) scratch[i] = values[order[i]];
   });
+  std::copy(values.begin() + static_cast<std::ptrdiff_t>(count), values.end(),
+            scratch.begin() + static_cast<std::ptrdiff_t>(count));
   values.swap(scratch);
 }
 
@@ -63,14 +66,15 @@ std::size_t ParticleStore::append(Kind kind, MaterialId material) {
   return size() - 1;
 }
 
-void ParticleStore::permute(std::span<std::uint32_t const> order) {
+void ParticleStore::permute(std::span<std::uint32_t const> all, std::size_t count) {
+  auto const order = all.first(count);
   // One scratch array per length, so that swapping never leaves a shorter one behind.
   for (FieldInfo const& field : field_table)
     for (int axis = 0; axis < 3; ++axis)
       if (auto& values = array(field.field, axis); !values.empty())
-        gather(values, field.on_walls ? scratch_all_ : scratch_fluid_, order);
-  gather(id_, scratch_id_, order);
-  gather(material_, scratch_material_, order);
+        reorder(values, field.on_walls ? scratch_all_ : scratch_fluid_, order);
+  reorder(id_, scratch_id_, order);
+  reorder(material_, scratch_material_, order);
 }
 
 void ParticleStore::remove(std::span<std::uint32_t const> indices) {
@@ -78,6 +82,12 @@ void ParticleStore::remove(std::span<std::uint32_t const> indices) {
   for (auto& values : arrays_) erase(values, indices);
   erase(id_, indices);
   erase(material_, indices);
+}
+
+void ParticleStore::shrink() {
+  for (auto& values : arrays_) values.shrink_to_fit();
+  id_.shrink_to_fit();
+  material_.shrink_to_fit();
 }
 
 std::size_t ParticleStore::bytes() const {

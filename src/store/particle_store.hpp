@@ -49,11 +49,15 @@ class ParticleStore {
   /// Fluid particles must be appended before wall particles.
   std::size_t append(Kind kind, MaterialId material);
 
-  /// New order: particle k of the result was particle order[k]. Kinds must stay in their ranges.
-  void permute(std::span<std::uint32_t const> order);
+  /// New order of the first `count` particles: particle k of the result was particle order[k].
+  /// Kinds must stay in their ranges; count is that of the fluid or of all particles.
+  void permute(std::span<std::uint32_t const> order, std::size_t count);
 
   /// Removes the particles with these ascending indices.
   void remove(std::span<std::uint32_t const> indices);
+
+  /// Gives back what growing particle by particle has reserved too much.
+  void shrink();
 
   /// Memory held by all arrays, in bytes.
   std::size_t bytes() const;

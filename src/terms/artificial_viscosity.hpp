@@ -18,17 +18,14 @@ struct ArtificialViscosity {
   Real alpha;             // [-]
   Real beta;              // [-]
   Real smoothing_length;  // h [m]
-  Real phi2;              // phi^2 [m^2]
 
   template <int D, class Self, class Neighbour>
   MORAINE_FORMULA void operator()(Pair<Real, D> const& pair, Self const& i, Neighbour const& j,
                              PairRates<Real>& rates) const {
-    Real const rho = number<Real>(0.5) * (density(i) + density(j));
     Real const c = number<Real>(0.5) * (sound_speed(i) + sound_speed(j));
-    // One division serves mu and 1 / rho.
-    Real const inverse = number<Real>(1) / ((pair.distance2 + phi2) * rho);
-    Real const mu_by_rho = smoothing_length * minimum(pair.approach, number<Real>(0)) * inverse;
-    Real const mu = mu_by_rho * rho;
+    Real const mu_by_rho =
+        smoothing_length * minimum(pair.approach, number<Real>(0)) * pair.inverse;
+    Real const mu = mu_by_rho * pair.mean_density;
     rates.stress += mu_by_rho * (beta * mu - alpha * c);
     rates.approach_speed = minimum(rates.approach_speed, mu);
   }

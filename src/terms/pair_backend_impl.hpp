@@ -1,6 +1,7 @@
 // The pair backend as a template; instantiated from the list in pair_backends_*.cpp only.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "terms/pair_backend.hpp"
@@ -15,7 +16,7 @@ namespace moraine {
 /// Number type of the lanes. Short lists (1D, 2D) waste fewer lanes with half-width registers.
 template <int D, Flavour flavour>
 struct LaneType {
-  static constexpr std::size_t floats = D == 3 || widest_float < 8 ? widest_float : 8;
+  static constexpr std::size_t floats = std::min(widest_float, NeighbourList::lanes(D));
   using Slot = std::conditional_t<flavour == Flavour::mixed, float, double>;
   using Real = std::conditional_t<flavour == Flavour::mixed, Simd<float, floats>,
                                   Simd<double, (widest_float / 2 < 4 ? 2 : widest_float / 2)>>;
@@ -49,15 +50,17 @@ class PairBackendImpl final : public PairBackend {
   void gather_walls(ParticleStore& store, Search const& search, WallData const& walls) override {
     Range const range = store.range(Kind::wall);
     auto const& images = search.images(Kind::wall);
-    wall_.resize(range.size(), images.size());
-    auto const& map = search.settings().fixed_point;
-    for_each_block(range.size(), NeighbourList::block, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        std::size_t const k = range.begin + i;
-        for (int axis = 0; axis < D; ++axis)
-          wall_.set_position(i, axis, store.component(Field::position, axis)[k], map);
-        extrapolate_to(store, search, k, i);
-        set_wall_record(store, walls, k, i);
+    if (rebuilds_seen_ != search.rebuilds()) {
+      rebuilds_seen_ = search.rebuilds();
+      wall_.resize(range.size(), images.size());
+      place_walls(store, search.settings().fixed_point, walls);
+    }
+    auto const& wet = search.wet_walls();
+    for_each_block(wet.size(), NeighbourList::block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) {
+        std::size_t const i = wet[n];
+        extrapolate_to(store, search, range.begin + i, i);
+        set_wall_state(store, range.begin + i, i);
       }
     });
     wall_.refresh(images, search.settings().periodicity);
@@ -83,8 +86,8 @@ class PairBackendImpl final : public PairBackend {
     auto const count = [&](std::size_t begin, std::size_t end) {
       std::uint64_t pairs = 0;
       for (std::size_t i = begin; i < end; ++i)
-        pairs += count_near(i, search.fluid_fluid().of(i), fluid_) +
-                 count_near(i, search.fluid_wall().of(i), wall_);
+        pairs += count_near(i, search.fluid_fluid().points(i), fluid_) +
+                 count_near(i, search.fluid_wall().points(i), wall_);
       return pairs;
     };
     return reduce_blocks(fluid_.owned(), std::uint64_t{0}, count, add);
@@ -125,28 +128,36 @@ class PairBackendImpl final : public PairBackend {
   }
 
   void extrapolate_to(ParticleStore& store, Search const& search, std::size_t k, std::size_t i) {
-    auto const list = search.wall_fluid().of(i);
-    if (list.empty()) return;
     WallState const state = extrapolate<flavour == Flavour::reference, Real, D, Kernel, FluidLayout>(
-        parameters_, wall_.record(i), uniform_.data(), list, fluid_.data());
+        parameters_, wall_.record(i), uniform_.data(), search.wall_fluid(), i, fluid_.data());
     if (state.weight <= 0.0) return;
     store.scalar(Field::pressure)[k] = state.pressure;
     store.scalar(Field::density)[k] = state.density;
     store.scalar(Field::sound_speed)[k] = state.sound_speed;
   }
 
-  void set_wall_record(ParticleStore const& store, WallData const& walls, std::size_t k,
-                       std::size_t i) {
+  /// What stays the same between rebuilds of the lists.
+  void place_walls(ParticleStore const& store, FixedPoint const& map, WallData const& walls) {
+    Range const range = store.range(Kind::wall);
+    for_each_block(range.size(), loop_block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        std::size_t const k = range.begin + i;
+        auto const& n = walls.normal[store.id()[k] - walls.first_id];
+        for (int axis = 0; axis < D; ++axis) {
+          wall_.set_position(i, axis, store.component(Field::position, axis)[k], map);
+          wall_.set(i, PairField::velocity, 0.0, axis);
+          wall_.set(i, PairField::normal, n[static_cast<std::size_t>(axis)], axis);
+        }
+      }
+    });
+  }
+
+  void set_wall_state(ParticleStore const& store, std::size_t k, std::size_t i) {
     double const rho = store.scalar(Field::density)[k];
     double const p = store.scalar(Field::pressure)[k];
     double const rho_0 =
         Scheme::uniform ? parameters_.uniform[static_cast<std::size_t>(PairField::reference_density)]
                         : rho;
-    auto const& n = walls.normal[store.id()[k] - walls.first_id];
-    for (int axis = 0; axis < D; ++axis) {
-      wall_.set(i, PairField::velocity, 0.0, axis);
-      wall_.set(i, PairField::normal, n[static_cast<std::size_t>(axis)], axis);
-    }
     wall_.set(i, PairField::pressure_term, p / (rho * rho));
     wall_.set(i, PairField::compression, (rho - rho_0) / rho_0);
     if constexpr (!Scheme::uniform) {
@@ -195,24 +206,22 @@ class PairBackendImpl final : public PairBackend {
     auto const with_wall = wall_terms<Number>(parameters_);
     for (std::size_t i = begin; i < end; ++i) {
       Broadcast<Number, FluidLayout> const self{fluid_.record(i), uniform_.data()};
-      auto const fluids = search.fluid_fluid().of(i);
-      auto const walls = search.fluid_wall().of(i);
       PairSum<Number, D> sum{};
       if constexpr (flavour == Flavour::reference)
-        reference_sum<false, D, Kernel, FluidLayout>(parameters_, self, fluids, fluid_.data(),
-                                                     with_fluid, sum);
+        reference_sum<false, D, Kernel, FluidLayout>(parameters_, self, search.fluid_fluid().points(i),
+                                                     fluid_.data(), with_fluid, sum);
       else
-        sum_over_pairs<false, Real, D, Kernel, FluidLayout>(constants, self, fluids, fluid_.data(),
-                                                            with_fluid, sum);
+        sum_over_pairs<false, Real, D, Kernel, FluidLayout>(constants, self, search.fluid_fluid().of(i),
+                                                            fluid_.data(), with_fluid, sum);
       std::optional<PairSum<Number, D>> from_fluid;
-      if (!walls.empty()) {
+      if (!search.fluid_wall().of(i).empty()) {
         from_fluid = sum;
         if constexpr (flavour == Flavour::reference)
-          reference_sum<true, D, Kernel, WallLayout>(parameters_, self, walls, wall_.data(),
-                                                     with_wall, sum);
+          reference_sum<true, D, Kernel, WallLayout>(parameters_, self, search.fluid_wall().points(i),
+                                                     wall_.data(), with_wall, sum);
         else
-          sum_over_pairs<true, Real, D, Kernel, WallLayout>(constants, self, walls, wall_.data(),
-                                                            with_wall, sum);
+          sum_over_pairs<true, Real, D, Kernel, WallLayout>(constants, self, search.fluid_wall().of(i),
+                                                            wall_.data(), with_wall, sum);
       }
       use(i, sum, from_fluid);
     }
@@ -247,6 +256,7 @@ class PairBackendImpl final : public PairBackend {
   std::vector<double> reference_densities_;
   Records<Slot, FluidLayout> fluid_;
   Records<Slot, WallLayout> wall_;
+  std::uint64_t rebuilds_seen_ = 0;
 };
 
 /// All schemes and kernels of one dimension and flavour.

@@ -13,8 +13,8 @@
 
 namespace moraine {
 
-/// Records of owned particles, then of their images, then one that lies nowhere. Positions are
-/// fixed-point units (kept as bits) for Slot float, metres for Slot double.
+/// Records of owned particles, then of their images, in the slots of search/record_slots.hpp.
+/// Positions are fixed-point units (kept as bits) for Slot float, metres for Slot double.
 template <class Slot, class Layout>
 class Records {
  public:
@@ -23,18 +23,15 @@ class Records {
 
   void resize(std::size_t owned, std::size_t images) {
     owned_ = owned;
-    slots_.resize((owned + images + 1) * Layout::stride);
-    Slot* const last = slots_.data() + (owned + images) * Layout::stride;
-    for (std::size_t k = 0; k < Layout::stride; ++k) last[k] = Slot(0);
-    for (int axis = 0; axis < D; ++axis)
-      last[axis] = fixed ? std::bit_cast<float>(FixedPoint::nowhere) : Slot(1e15);
-    if constexpr (Layout::has(PairField::reference_density))
-      last[Layout::offset(PairField::reference_density)] = Slot(1);
+    std::size_t const slots = slots_for(owned + images);
+    if (values_.size() == slots * Layout::stride) return;
+    values_.resize(slots * Layout::stride);
+    for (std::size_t slot = slot_page; slot < slots; slot += slot_page + 1) put_nowhere(slot);
   }
 
-  Slot* record(std::size_t i) { return slots_.data() + i * Layout::stride; }
-  Slot const* data() const { return slots_.data(); }
-  Slot const* record(std::size_t i) const { return slots_.data() + i * Layout::stride; }
+  Slot* record(std::size_t i) { return values_.data() + place(i); }
+  Slot const* record(std::size_t i) const { return values_.data() + place(i); }
+  Slot const* data() const { return values_.data(); }
 
   void set_position(std::size_t i, int axis, double x, FixedPoint const& map) {
     if constexpr (fixed)
@@ -66,10 +63,24 @@ class Records {
   }
 
   std::size_t owned() const { return owned_; }
-  std::size_t bytes() const { return slots_.capacity() * sizeof(Slot); }
+  std::size_t bytes() const { return values_.capacity() * sizeof(Slot); }
 
  private:
-  AlignedVector<Slot> slots_;
+  static std::size_t place(std::size_t i) {
+    return slot_of(static_cast<std::uint32_t>(i)) * Layout::stride;
+  }
+
+  void put_nowhere(std::size_t slot) {
+    Slot* const last = values_.data() + slot * Layout::stride;
+    for (std::size_t k = 0; k < Layout::stride; ++k) last[k] = Slot(0);
+    for (int axis = 0; axis < D; ++axis)
+      last[axis] = fixed ? std::bit_cast<float>(FixedPoint::nowhere) : Slot(1e15);
+    // A density of one keeps the pair's division finite.
+    if constexpr (Layout::has(PairField::reference_density))
+      last[Layout::offset(PairField::reference_density)] = Slot(1);
+  }
+
+  AlignedVector<Slot> values_;
   std::size_t owned_ = 0;
 };
 

@@ -15,11 +15,11 @@ namespace moraine {
 
 template <bool wall, int D, class Kernel, class Layout, class Self, class Terms>
 void reference_sum(SweepParameters const& parameters, Self const& self,
-                   std::span<std::uint32_t const> list, double const* records, Terms const& terms,
+                   std::span<std::uint32_t const> points, double const* records, Terms const& terms,
                    PairSum<double, D>& sum) {
   double const h = parameters.smoothing_length;
-  for (std::uint32_t const j : list) {
-    Broadcast<double, Layout> const neighbour{records + j * Layout::stride, self.uniform};
+  for (std::uint32_t const j : points) {
+    Broadcast<double, Layout> const neighbour{records + slot_of(j) * Layout::stride, self.uniform};
     Pair<double, D> pair{};
     for (int axis = 0; axis < D; ++axis) {
       pair.x[axis] = self.position(axis) - neighbour.position(axis);
@@ -39,6 +39,8 @@ void reference_sum(SweepParameters const& parameters, Self const& self,
     }
     for (int axis = 0; axis < D; ++axis)
       pair.approach += (velocity(self, axis) - velocity(neighbour, axis)) * pair.x[axis];
+    pair.mean_density = 0.5 * (density(self) + density(neighbour));
+    pair.inverse = 1.0 / ((pair.distance2 + parameters.softening2()) * pair.mean_density);
     pair.gradient = Kernel::sigma / std::pow(h, D + 2) * Kernel::slope_over_q(q);
 
     PairRates<double> rates{};

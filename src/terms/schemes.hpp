@@ -16,13 +16,12 @@ namespace moraine {
 template <class Real, int D>
 auto fluid_terms(SweepParameters const& p) {
   DensityDiffusion<Real, D> diffusion{number<Real>(2.0 * p.density_diffusion * p.smoothing_length),
-                                      number<Real>(p.softening2()),
                                       {}};
   for (int axis = 0; axis < D; ++axis)
     diffusion.hydrostatic_slope[axis] = number<Real>(p.hydrostatic_slope[static_cast<std::size_t>(axis)]);
   return std::tuple{ContinuityDensity{}, PressureForce{},
                     ArtificialViscosity<Real>{number<Real>(p.viscosity_alpha), number<Real>(p.viscosity_beta),
-                                              number<Real>(p.smoothing_length), number<Real>(p.softening2())},
+                                              number<Real>(p.smoothing_length)},
                     diffusion};
 }
 
@@ -31,7 +30,7 @@ template <class Real>
 auto wall_terms(SweepParameters const& p) {
   return std::tuple{ContinuityDensity{}, PressureForce{},
                     ArtificialViscosity<Real>{number<Real>(p.viscosity_alpha), number<Real>(p.viscosity_beta),
-                                              number<Real>(p.smoothing_length), number<Real>(p.softening2())}};
+                                              number<Real>(p.smoothing_length)}};
 }
 
 /// One weakly compressible liquid: mass, reference density and sound speed are the same for all

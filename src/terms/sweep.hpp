@@ -13,6 +13,7 @@
 #include <tuple>
 
 #include "base/simd.hpp"
+#include "search/neighbour_list.hpp"
 #include "terms/pair.hpp"
 #include "terms/pair_fields.hpp"
 #include "terms/sweep_parameters.hpp"
@@ -45,23 +46,30 @@ template <class Real, int D, class Kernel>
 struct SweepConstants {
   explicit SweepConstants(SweepParameters const& p)
       : position_scale(number<Real>(p.position_scale)),
+        softening2(number<Real>(p.softening2())),
         inverse_h2(number<Real>(1.0 / (p.smoothing_length * p.smoothing_length))),
         gradient_factor(number<Real>(Kernel::sigma / std::pow(p.smoothing_length, D + 2))) {}
 
   Real position_scale;
+  Real softening2;
   Real inverse_h2;
   Real gradient_factor;  // sigma_d / h^(d+2)
 };
 
-/// Reads the records of W neighbours into lanes.
-template <class Real, class Layout>
-MORAINE_FORMULA void load_lanes(SlotOf<Real> const* records, std::uint32_t const* index,
-                Lanes<Real, Layout>& lanes) {
-  Real quad[4];
-  for (std::size_t q = 0; q < static_cast<std::size_t>(Layout::quads); ++q) {
-    load_transposed<SlotOf<Real>, Real::size()>(records + 4 * q, Layout::stride, index,
-                                                             quad);
-    for (std::size_t n = 0; n < 4; ++n) lanes.packed[4 * q + n] = quad[n];
+/// Fills `lanes` with the neighbours of a list, W at a time, and calls use() for each lot. A
+/// group of the list holds W neighbours or a multiple of W.
+template <class Real, class Layout, class Use>
+MORAINE_FORMULA void for_each_lanes(NeighbourGroups const& list, SlotOf<Real> const* records,
+                                    Lanes<Real, Layout>& lanes, Use&& use) {
+  constexpr std::size_t group = NeighbourList::lanes(Layout::dimension);
+  static_assert(group % Real::size() == 0);
+  std::uint16_t const* offsets = list.offsets;
+  for (std::size_t g = 0; g < list.count; ++g) {
+    auto const* const base = records + list.bases[g] * Layout::stride;
+    for (std::size_t part = 0; part < group / Real::size(); ++part, offsets += Real::size()) {
+      load_transposed<Layout::quads>(base, Layout::stride, offsets, lanes.packed);
+      use();
+    }
   }
 }
 
@@ -96,18 +104,21 @@ MORAINE_FORMULA void project_on_normal(Neighbour const& lanes, Pair<Real, D>& pa
 /// their work, other pairs half of it.
 template <bool wall, class Real, int D, class Kernel, class Layout, class Self, class Terms>
 void sum_over_pairs(SweepConstants<Real, D, Kernel> const& constants, Self const& self,
-                    std::span<std::uint32_t const> list, SlotOf<Real> const* records,
-                    Terms const& terms, PairSum<Real, D>& sum) {
+                    NeighbourGroups const& list, SlotOf<Real> const* records, Terms const& terms,
+                    PairSum<Real, D>& total) {
+  PairSum<Real, D> sum = total;  // a local, which the compiler may keep in registers
   Real const energy_share = number<Real>(wall ? 1.0 : 0.5);
   Lanes<Real, Layout> lanes;
   lanes.uniform = self.uniform;
-  for (std::size_t k = 0; k < list.size(); k += Real::size()) {
-    load_lanes(records, list.data() + k, lanes);
+  for_each_lanes(list, records, lanes, [&]() __attribute__((always_inline)) {
     Pair<Real, D> pair = geometry<Real, D>(constants.position_scale, self, lanes);
     if constexpr (wall) project_on_normal(lanes, pair);
     pair.approach = number<Real>(0);
     for (int axis = 0; axis < D; ++axis)
       pair.approach += (velocity(self, axis) - velocity(lanes, axis)) * pair.x[axis];
+    pair.mean_density = number<Real>(0.5) * (density(self) + density(lanes));
+    pair.inverse =
+        number<Real>(1) / ((pair.distance2 + constants.softening2) * pair.mean_density);
     Real const q = square_root(pair.distance2 * constants.inverse_h2);
     pair.gradient = constants.gradient_factor * Kernel::slope_over_q(q);
 
@@ -120,8 +131,10 @@ void sum_over_pairs(SweepConstants<Real, D, Kernel> const& constants, Self const
     sum.energy_rate += energy_share * push * pair.approach;
     sum.density_rate += weight * rates.density_rate;
     sum.approach_speed =
-        minimum(sum.approach_speed, select(pair.gradient < number<Real>(0), rates.approach_speed, number<Real>(0)));
-  }
+        minimum(sum.approach_speed,
+                select(pair.gradient < number<Real>(0), rates.approach_speed, number<Real>(0)));
+  });
+  total = sum;
 }
 
 }  // namespace moraine

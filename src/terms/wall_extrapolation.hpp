@@ -43,7 +43,7 @@ MORAINE_FORMULA void add_to_wall(Real const& w, Real const (&x)[D], Real const (
 /// the plain kernel means. a_w = 0: walls are at rest. g in m/s^2, x_wf = x_w - x_f in m.
 template <bool reference, class Real, int D, class Kernel, class Layout>
 WallState extrapolate(SweepParameters const& parameters, SlotOf<Real> const* self_record,
-                      SlotOf<Real> const* uniform, std::span<std::uint32_t const> list,
+                      SlotOf<Real> const* uniform, NeighbourList const& lists, std::size_t i,
                       SlotOf<Real> const* records) {
   using Number = std::conditional_t<reference, double, Real>;
   WallSums<Number> sums{};
@@ -60,8 +60,8 @@ WallState extrapolate(SweepParameters const& parameters, SlotOf<Real> const* sel
   };
   Number x[D];
   if constexpr (reference) {
-    for (std::uint32_t const j : list) {
-      Broadcast<double, Layout> const neighbour{records + j * Layout::stride, uniform};
+    for (std::uint32_t const j : lists.points(i)) {
+      Broadcast<double, Layout> const neighbour{records + slot_of(j) * Layout::stride, uniform};
       for (int axis = 0; axis < D; ++axis) x[axis] = self_record[axis] - neighbour.position(axis);
       add(neighbour, x);
     }
@@ -69,12 +69,11 @@ WallState extrapolate(SweepParameters const& parameters, SlotOf<Real> const* sel
     Real const scale = number<Real>(parameters.position_scale);
     Lanes<Real, Layout> lanes;
     lanes.uniform = uniform;
-    for (std::size_t k = 0; k < list.size(); k += Real::size()) {
-      load_lanes(records, list.data() + k, lanes);
+    for_each_lanes(lists.of(i), records, lanes, [&]() __attribute__((always_inline)) {
       for (int axis = 0; axis < D; ++axis)
         x[axis] = separation(self_record[axis], lanes.packed[axis], scale);
       add(lanes, x);
-    }
+    });
   }
   // The normalisation of the kernel drops out of all ratios.
   double const weight = sum_of_lanes(sums.weight);

@@ -40,6 +40,7 @@ TEST(InputError, NearestName) {
   EXPECT_EQ(nearest_name("wendland_c4", names), "wendland_c2");
   EXPECT_EQ(nearest_name("wendland", names), "wendland_c2");
   EXPECT_EQ(nearest_name("cubic", names), "cubic_spline");
+  EXPECT_EQ(nearest_name("spline", names), "cubic_spline");
   EXPECT_EQ(nearest_name("gaussian", names), "");
   EXPECT_EQ(nearest_name("z", names), "");  // one letter resembles nothing
   EXPECT_EQ(name_hint("z", std::array<std::string_view, 2>{"x", "y"}),

@@ -85,6 +85,9 @@ INSTANTIATE_TEST_SUITE_P(
             "output"},
         Bad{"eos = \"tait\"", "eos = \"tait\"\nr1 = 4",
             "case.toml:13:1: material.water.r1: does not belong to eos = \"tait\""},
+        Bad{"eos = \"tait\"", "eos = \"tait\"\nsound_speed = 4",
+            "case.toml:13:1: material.water.sound_speed: is an unknown key; did you mean "
+            "\"reference_sound_speed\"?"},
         Bad{"position", "axis = \"x+\"\nposition",
             "case.toml:22:1: gauge.probe.axis: does not belong to kind = \"point\""},
         Bad{"box =", "shape = 1\nbox =", "case.toml:16:1: region.pool.shape: is an unknown key"},
@@ -146,7 +149,10 @@ INSTANTIATE_TEST_SUITE_P(
             "'title'"},
         Bad{"[[wall]]", "[[<wall]]",
             "case.toml:17:3: Error while parsing key: expected bare key starting character or "
-            "string delimiter, saw '<'"}));
+            "string delimiter, saw '<'"},
+        Bad{"[0.5, 0.5]", "[0.5 \u00b5, 0.5]",
+            "case.toml:22:17: Error while parsing array: expected comma or closing ']', saw "
+            "'\u00b5'"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Meaning, BadCase,

@@ -43,7 +43,7 @@ gauges = "11 ns"
 sums = 1e-5
 [material.zinc-blue]
 eos = "tait"
-sound_speed = "30 m/s"
+reference_sound_speed = "30 m/s"
 reference_density = "1.1 g/cm^3"
 exponent = 7.15
 background_pressure = "1 kPa"
