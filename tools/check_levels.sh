@@ -15,7 +15,7 @@ levels="
 4 coupling probes
 5 step
 6 output setup
-7 app python
+7 app python bench verify
 "
 
 check_levels() {

@@ -23,4 +23,23 @@ struct PlotOptions {
 };
 int plot_folder(PlotOptions const& options);
 
+struct BenchOptions {
+  std::vector<std::string> names;  // empty: the usual workloads
+  bool list = false;
+  bool json = false;
+  int threads = 0;   // 0: all
+  int steps = 0;     // 0: as the workload says
+  int warm_up = -1;  // -1: as the workload says
+};
+int run_bench(BenchOptions const& options);
+
+struct VerifyOptions {
+  std::vector<std::string> names;  // empty: all checks
+  bool list = false;
+  bool quick = false;
+  bool json = false;
+  int threads = 0;  // 0: all
+};
+int run_verify(VerifyOptions const& options);
+
 }  // namespace moraine

@@ -12,6 +12,8 @@ namespace {
 struct Options {
   moraine::RunOptions run;
   moraine::PlotOptions plot;
+  moraine::BenchOptions bench;
+  moraine::VerifyOptions verify;
 };
 
 void add_run(CLI::App& app, Options& options) {
@@ -30,8 +32,36 @@ void add_plot(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
+void add_bench(CLI::App& app, Options& options) {
+  auto* command = app.add_subcommand("bench", "measure the speed of this program on this machine");
+  command->add_option("name", options.bench.names, "workloads, or roof (default: the usual ones)");
+  command->add_flag("--list", options.bench.list, "say which workloads there are");
+  command->add_flag("--json", options.bench.json, "figures as JSON");
+  command->add_option("--threads,-t", options.bench.threads, "number of threads (default: all)")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--steps", options.bench.steps, "timed steps (default: of the workload)")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--warm-up", options.bench.warm_up,
+                   "steps before the clock starts (default: of the workload)")
+      ->check(CLI::NonNegativeNumber);
+}
+
+void add_verify(CLI::App& app, Options& options) {
+  auto* command =
+      app.add_subcommand("verify", "compare this program with exact and measured results");
+  command->add_option("name", options.verify.names, "checks (default: all)");
+  command->add_flag("--list", options.verify.list, "say which checks there are");
+  command->add_flag("--quick", options.verify.quick, "coarser and shorter, same tolerances");
+  command->add_flag("--json", options.verify.json, "results as JSON");
+  command->add_option("--threads,-t", options.verify.threads, "number of threads (default: all)")
+      ->check(CLI::NonNegativeNumber);
+}
+
 int dispatch(CLI::App const& app, Options const& options) {
   if (app.got_subcommand("run")) return moraine::run_case(options.run);
+  if (app.got_subcommand("bench")) return moraine::run_bench(options.bench);
+  if (app.got_subcommand("verify")) return moraine::run_verify(options.verify);
   return moraine::plot_folder(options.plot);
 }
 
@@ -44,6 +74,8 @@ int main(int argc, char** argv) {
   Options options;
   add_run(app, options);
   add_plot(app, options);
+  add_bench(app, options);
+  add_verify(app, options);
   try {
     app.parse(argc, argv);
   } catch (CLI::ParseError const& error) {

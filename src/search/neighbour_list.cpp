@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/simd.hpp"
+#include "base/simd_memory.hpp"
 
 namespace moraine {
 

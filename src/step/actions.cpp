@@ -92,6 +92,9 @@ void Simulation::remove_lost() {
     lost_.energy += m * specific;
   }
   store.remove(leaving);
+  if (store.range(Kind::fluid).size() == 0)
+    throw SimulationError(
+        fmt::format("all particles have left the domain; time {:.6g} s, step {}", time_, step_));
 }
 
 void Simulation::sort_by_material() {

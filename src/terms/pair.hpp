@@ -10,10 +10,11 @@ namespace moraine {
 /// `inverse` is the one division of the pair loop: terms that divide by a density or by r^2 use it.
 template <class Real, int D>
 struct Pair {
-  Real x[D];            // x_ij = x_i - x_j [m], along the wall normal only at a free-slip wall
+  Real x[D];            // x_ij = x_i - x_j [m]
   Real distance2;       // |x_i - x_j|^2 [m^2]
   Real gradient;        // grad_i W_ij = gradient * x [1/m^(d+2)]
-  Real approach;        // v_ij . x [m^2/s], negative when the two come closer
+  Real approach;        // v_ij . x [m^2/s], negative when the two come closer; at a free-slip wall
+                        // only the parts along its normal
   Real mean_density;    // (rho_i + rho_j) / 2 [kg/m^3]
   Real inverse;         // 1 / (mean_density (distance2 + phi^2)) [m/kg], phi = 0.1 h
 };

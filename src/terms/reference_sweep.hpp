@@ -27,18 +27,24 @@ void reference_sum(SweepParameters const& parameters, Self const& self,
     }
     double const q = std::sqrt(pair.distance2) / h;
     if (q >= kernel_support) continue;
+    double v[D];
+    double along = 0.0;  // what the force does work on
+    for (int axis = 0; axis < D; ++axis) {
+      v[axis] = velocity(self, axis) - velocity(neighbour, axis);
+      along += v[axis] * pair.x[axis];
+    }
+    pair.approach = along;
     if constexpr (wall) {
       double depth = 0.0;
+      double speed = 0.0;
       double length2 = 0.0;
       for (int axis = 0; axis < D; ++axis) {
         depth += pair.x[axis] * normal(neighbour, axis);
+        speed += v[axis] * normal(neighbour, axis);
         length2 += normal(neighbour, axis) * normal(neighbour, axis);
       }
-      if (length2 > 0.5)
-        for (int axis = 0; axis < D; ++axis) pair.x[axis] = depth * normal(neighbour, axis);
+      if (length2 > 0.5) pair.approach = depth * speed;
     }
-    for (int axis = 0; axis < D; ++axis)
-      pair.approach += (velocity(self, axis) - velocity(neighbour, axis)) * pair.x[axis];
     pair.mean_density = 0.5 * (density(self) + density(neighbour));
     pair.inverse = 1.0 / ((pair.distance2 + parameters.softening2()) * pair.mean_density);
     pair.gradient = Kernel::sigma / std::pow(h, D + 2) * Kernel::slope_over_q(q);
@@ -49,7 +55,7 @@ void reference_sum(SweepParameters const& parameters, Self const& self,
     double const share = wall ? 1.0 : 0.5;
     for (int axis = 0; axis < D; ++axis)
       sum.acceleration[axis] -= mass(neighbour) * rates.stress * pair.gradient * pair.x[axis];
-    sum.energy_rate += share * mass(neighbour) * rates.stress * pair.gradient * pair.approach;
+    sum.energy_rate += share * mass(neighbour) * rates.stress * pair.gradient * along;
     sum.density_rate += mass(neighbour) * rates.density_rate;
     sum.approach_speed = std::min(sum.approach_speed, rates.approach_speed);
   }

@@ -12,7 +12,7 @@
 #include <span>
 #include <tuple>
 
-#include "base/simd.hpp"
+#include "base/simd_memory.hpp"
 #include "search/neighbour_list.hpp"
 #include "terms/pair.hpp"
 #include "terms/pair_fields.hpp"
@@ -86,18 +86,21 @@ MORAINE_FORMULA Pair<Real, D> geometry(Real const& position_scale, Self const& s
   return pair;
 }
 
-/// Free slip: only what lies along the wall normal n counts, x -> (x . n) n. Where the neighbour has
-/// no normal (n = 0: corners, no-slip walls) x stays as it is.
+/// v_ij . x_ij as the wall's terms see it. Free slip: only the parts along the wall normal n count,
+/// (v_ij . n)(x_ij . n). Where the neighbour has no normal (n = 0: corners, no-slip walls) it is the
+/// whole product. Forces keep the whole x_ij: the pressure in a wall varies along the wall.
 template <class Real, int D, class Neighbour>
-MORAINE_FORMULA void project_on_normal(Neighbour const& lanes, Pair<Real, D>& pair) {
+MORAINE_FORMULA Real approach_to_wall(Neighbour const& lanes, Pair<Real, D> const& pair,
+                                      Real const (&v)[D]) {
   Real depth = number<Real>(0);
+  Real speed = number<Real>(0);
   Real length2 = number<Real>(0);
   for (int axis = 0; axis < D; ++axis) {
     depth += pair.x[axis] * normal(lanes, axis);
+    speed += v[axis] * normal(lanes, axis);
     length2 += normal(lanes, axis) * normal(lanes, axis);
   }
-  for (int axis = 0; axis < D; ++axis)
-    pair.x[axis] = depth * normal(lanes, axis) + (number<Real>(1) - length2) * pair.x[axis];
+  return depth * speed + (number<Real>(1) - length2) * pair.approach;
 }
 
 /// Adds the neighbours in one list to `sum`. A wall has no internal energy: its pairs keep all of
@@ -112,10 +115,14 @@ void sum_over_pairs(SweepConstants<Real, D, Kernel> const& constants, Self const
   lanes.uniform = self.uniform;
   for_each_lanes(list, records, lanes, [&]() __attribute__((always_inline)) {
     Pair<Real, D> pair = geometry<Real, D>(constants.position_scale, self, lanes);
-    if constexpr (wall) project_on_normal(lanes, pair);
+    Real v[D];
     pair.approach = number<Real>(0);
-    for (int axis = 0; axis < D; ++axis)
-      pair.approach += (velocity(self, axis) - velocity(lanes, axis)) * pair.x[axis];
+    for (int axis = 0; axis < D; ++axis) {
+      v[axis] = velocity(self, axis) - velocity(lanes, axis);
+      pair.approach += v[axis] * pair.x[axis];
+    }
+    Real const along = pair.approach;  // what the force does work on
+    if constexpr (wall) pair.approach = approach_to_wall<Real, D>(lanes, pair, v);
     pair.mean_density = number<Real>(0.5) * (density(self) + density(lanes));
     pair.inverse =
         number<Real>(1) / ((pair.distance2 + constants.softening2) * pair.mean_density);
@@ -128,7 +135,7 @@ void sum_over_pairs(SweepConstants<Real, D, Kernel> const& constants, Self const
     Real const weight = mass(lanes);
     Real const push = weight * rates.stress * pair.gradient;
     for (int axis = 0; axis < D; ++axis) sum.acceleration[axis] -= push * pair.x[axis];
-    sum.energy_rate += energy_share * push * pair.approach;
+    sum.energy_rate += energy_share * push * along;
     sum.density_rate += weight * rates.density_rate;
     sum.approach_speed =
         minimum(sum.approach_speed,

@@ -1,0 +1,91 @@
+#include "verify/check.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <utility>
+
+#include "base/input_error.hpp"
+
+namespace moraine {
+
+// One folder each below verify/; the function is defined in its check.cpp.
+std::vector<CheckResult> check_sod(Effort effort);
+std::vector<CheckResult> check_water_hugoniot(Effort effort);
+std::vector<CheckResult> check_momentum_double(Effort effort);
+std::vector<CheckResult> check_momentum_mixed(Effort effort);
+std::vector<CheckResult> check_energy_order(Effort effort);
+std::vector<CheckResult> check_hydrostatic_pressure(Effort effort);
+std::vector<CheckResult> check_martin_moyce_front(Effort effort);
+
+namespace {
+
+constexpr std::array all_checks{
+    Check{"sod", "a shock tube agrees with the exact solution and converges to it", check_sod},
+    Check{"water-hugoniot",
+          "shocks in water have the speed, pressure and density of the jump "
+          "conditions",
+          check_water_hugoniot},
+    Check{"momentum-double", "pairs conserve momentum to 1e-14 in double precision",
+          check_momentum_double},
+    Check{"momentum-mixed", "pairs conserve momentum to 1e-6 in mixed precision",
+          check_momentum_mixed},
+    Check{"energy-order", "the drift of total energy is of second order in the time step",
+          check_energy_order},
+    Check{"hydrostatic-pressure", "still water has the pressure rho g z and stays still",
+          check_hydrostatic_pressure},
+    Check{"martin-moyce-front", "the front of a dam break advances as measured",
+          check_martin_moyce_front},
+};
+
+}  // namespace
+
+CheckResult compare(std::string name, double measured, double reference, double tolerance,
+                    std::string unit, std::string note) {
+  bool const pass = std::fabs(measured - reference) <= tolerance;  // false for what is no number
+  return {std::move(name), measured, reference, tolerance, std::move(unit), pass, std::move(note)};
+}
+
+CheckResult at_most(std::string name, double measured, double limit, std::string unit,
+                    std::string note) {
+  return compare(std::move(name), measured, 0.0, limit, std::move(unit), std::move(note));
+}
+
+std::span<Check const> checks() { return all_checks; }
+
+std::optional<Check> find_check(std::string_view name) {
+  for (Check const& check : all_checks)
+    if (check.name == name) return check;
+  return std::nullopt;
+}
+
+std::vector<Check> choose_checks(std::vector<std::string> const& names) {
+  if (names.empty()) return {checks().begin(), checks().end()};
+  std::vector<std::string_view> known;
+  for (Check const& check : checks()) known.push_back(check.name);
+  std::vector<Check> chosen;
+  std::vector<InputProblem> problems;
+  for (std::string const& name : names) {
+    if (auto const check = find_check(name))
+      chosen.push_back(*check);
+    else
+      problems.push_back({"moraine verify", 0, 0, "", fmt::format("\"{}\"", name), "is not a check",
+                          name_hint(name, known)});
+  }
+  if (!problems.empty()) throw InputErrors(std::move(problems));
+  return chosen;
+}
+
+std::vector<CheckResult> run_check(Check const& check, Effort effort) {
+  try {
+    return check.run(effort);
+  } catch (std::exception const& error) {
+    return {compare(std::string(check.name), std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0,
+                    "-", error.what())};
+  }
+}
+
+}  // namespace moraine

@@ -1,0 +1,57 @@
+// What a check of the verification suite is, and the list of them.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace moraine {
+
+/// One number that the program produced, beside what it should be. It passes when it is a number
+/// and differs from the reference by no more than the tolerance; all three are in `unit`.
+struct CheckResult {
+  std::string name;  // "sod: density"
+  double measured = 0.0;
+  double reference = 0.0;
+  double tolerance = 0.0;
+  std::string unit;  // "-" for plain numbers
+  bool pass = false;
+  std::string note;  // what was measured, in words
+};
+
+/// Fills in whether it passes.
+CheckResult compare(std::string name, double measured, double reference, double tolerance,
+                    std::string unit, std::string note);
+
+/// The same for a quantity that should vanish: |measured| <= limit.
+CheckResult at_most(std::string name, double measured, double limit, std::string unit,
+                    std::string note);
+
+/// How thorough a check is: `quick` takes coarser resolutions or shorter runs under the same
+/// tolerances.
+enum class Effort { full, quick };
+
+/// A check of the program against an exact or a measured result. `run` needs nothing but the
+/// program itself: no files, no working directory.
+struct Check {
+  std::string_view name;
+  std::string_view requirement;  // one sentence
+  std::vector<CheckResult> (*run)(Effort);
+};
+
+/// All checks, in the order in which they run.
+std::span<Check const> checks();
+
+/// The check of this name, if there is one.
+std::optional<Check> find_check(std::string_view name);
+
+/// The checks of these names, all without names. Throws InputErrors for names that no check has.
+std::vector<Check> choose_checks(std::vector<std::string> const& names);
+
+/// Runs a check. A simulation that breaks down, or anything else that is thrown, is a result that
+/// does not pass and says why.
+std::vector<CheckResult> run_check(Check const& check, Effort effort);
+
+}  // namespace moraine

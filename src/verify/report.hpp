@@ -1,0 +1,23 @@
+// Results of checks as text for people and as JSON for programs.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+#include "verify/check.hpp"
+
+namespace moraine {
+
+enum class Colour { none, terminal };
+
+/// Aligned lines, one per result: verdict, name, measured, reference, tolerance, unit, note.
+std::string results_table(std::span<CheckResult const> results, Colour colour);
+
+/// A list of objects with the members of CheckResult as keys; what is not a number is null.
+nlohmann::ordered_json to_json(std::span<CheckResult const> results);
+
+/// "12 of 13 results pass", and the names of those that do not.
+std::string summary(std::span<CheckResult const> results);
+
+}  // namespace moraine

@@ -1,0 +1,81 @@
+#include "support/small_models.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "setup/build_model.hpp"
+#include "walls/dummy_layer.hpp"
+
+namespace moraine {
+
+Model walled_random_box(RandomBox const& box, double end) {
+  Model model = random_box(box, end);
+  model.periodic[0] = false;
+  model.gravity = {0.0, -9.81, 0.0};
+  model.walls.first_id = model.particles.size();
+  BoxWall wall;
+  wall.dimension = box.dimension;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(box.dimension); ++axis)
+    wall.max[axis] = model.domain_max[axis];
+  wall.periodic = {model.periodic, wall.min, wall.max};
+  for (Dummy const& dummy : make_dummy_layer(wall, model.numerics.spacing, 3, 0)) {
+    std::size_t const i = model.particles.append(Kind::wall, no_material);
+    for (int axis = 0; axis < box.dimension; ++axis)
+      model.particles.component(Field::position, axis)[i] =
+          dummy.position[static_cast<std::size_t>(axis)];
+    model.particles.scalar(Field::density)[i] = 1000.0;
+    model.walls.normal.push_back(dummy.normal);
+  }
+  return model;
+}
+
+Model small_dam_break(int dimension, Precision precision, double end) {
+  Case c;
+  c.dimension = dimension;
+  auto const up = static_cast<std::size_t>(dimension - 1);
+  Box tank{{0.0, 0.0, 0.0}, {0.8, 0.2, 0.0}};
+  Box column{{0.0, 0.0, 0.0}, {0.4, 0.2, 0.0}};
+  tank.max[up] = 0.6;
+  column.max[up] = 0.3;
+  c.domain = {{-1.0, -1.0, -1.0}, {2.0, 2.0, 2.0}};
+  c.gravity[up] = -9.81;
+  c.numerics.spacing = 0.02;
+  c.numerics.viscosity_alpha = 0.1;
+  c.numerics.viscosity_beta = 0.0;
+  c.numerics.density_diffusion = 0.1;
+  c.numerics.precision = precision;
+  c.time.end = end;
+  Tait water;
+  water.reference_sound_speed = 25.0;
+  c.materials = {{"water", water}};
+  c.regions = {{"column", "water", column, {}}};
+  WallSpec wall;
+  wall.name = "tank";
+  wall.box = tank;
+  c.walls = {wall};
+  return build_model(c);
+}
+
+std::vector<double> state_by_id(ParticleStore const& store) {
+  std::size_t const count = store.range(Kind::fluid).size();
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return store.id()[a] < store.id()[b]; });
+  std::vector<double> state;
+  for (FieldInfo const& field : field_table)
+    for (int axis = 0; axis < (field.rank == Rank::vector ? store.dimension() : 1); ++axis)
+      for (std::size_t const i : order) state.push_back(store.component(field.field, axis)[i]);
+  return state;
+}
+
+double largest(ParticleStore const& store, Field field, int axis) {
+  auto const values = store.component(field, axis);
+  double most = 0.0;
+  for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i)
+    most = std::max(most, std::fabs(values[i]));
+  return most;
+}
+
+}  // namespace moraine

@@ -1,0 +1,124 @@
+#include "verify/check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "base/input_error.hpp"
+#include "verify/report.hpp"
+#include "verify/shipped_cases.hpp"
+
+namespace moraine {
+namespace {
+
+TEST(Check, PassesWithinItsTolerance) {
+  EXPECT_TRUE(compare("a", 1.1, 1.0, 0.11, "-", "").pass);
+  EXPECT_FALSE(compare("a", 1.1, 1.0, 0.09, "-", "").pass);
+  EXPECT_FALSE(compare("a", 0.9, 1.0, 0.09, "-", "").pass);
+  EXPECT_FALSE(compare("a", std::nan(""), 1.0, 1e9, "-", "").pass);
+  EXPECT_TRUE(at_most("a", -0.1, 0.1, "-", "").pass);
+  EXPECT_FALSE(at_most("a", -0.2, 0.1, "-", "").pass);
+}
+
+TEST(Check, NamesAreUniqueAndFound) {
+  std::set<std::string_view> names;
+  for (Check const& check : checks()) {
+    EXPECT_TRUE(names.insert(check.name).second) << check.name;
+    EXPECT_FALSE(check.requirement.empty());
+    ASSERT_TRUE(find_check(check.name).has_value());
+    EXPECT_EQ(find_check(check.name)->run, check.run);
+  }
+  EXPECT_GE(names.size(), 7u);
+  EXPECT_FALSE(find_check("sod ").has_value());
+}
+
+TEST(Check, ChoosesByName) {
+  EXPECT_EQ(choose_checks({}).size(), checks().size());
+  auto const two = choose_checks({"sod", "energy-order"});
+  ASSERT_EQ(two.size(), 2u);
+  EXPECT_EQ(two[0].name, "sod");
+  EXPECT_EQ(two[1].name, "energy-order");
+}
+
+TEST(Check, UnknownNamesAreReportedTogetherWithWhatWasMeant) {
+  try {
+    choose_checks({"energy-ordr", "sod", "volcano"});
+    FAIL() << "no error";
+  } catch (InputErrors const& errors) {
+    ASSERT_EQ(errors.problems().size(), 2u);
+    EXPECT_NE(std::string(errors.what()).find("did you mean \"energy-order\"?"), std::string::npos);
+    EXPECT_NE(std::string(errors.what()).find("volcano"), std::string::npos);
+  }
+}
+
+TEST(Check, WhatThrowsDoesNotPass) {
+  Check const broken{"broken", "", [](Effort) -> std::vector<CheckResult> {
+                       throw std::runtime_error("pipe burst");
+                     }};
+  auto const results = run_check(broken, Effort::quick);
+  ASSERT_EQ(results.size(), 1u);
+  EXPECT_FALSE(results[0].pass);
+  EXPECT_EQ(results[0].name, "broken");
+  EXPECT_EQ(results[0].note, "pipe burst");
+}
+
+// One fast check of the suite, so that a registry of wrong functions would show.
+TEST(Check, MomentumRuns) {
+  auto const results = run_check(*find_check("momentum-double"), Effort::quick);
+  ASSERT_EQ(results.size(), 4u);
+  for (CheckResult const& result : results) {
+    EXPECT_TRUE(result.pass) << result.name << " " << result.measured;
+    EXPECT_EQ(result.name.substr(0, 15), "momentum-double");
+  }
+}
+
+TEST(Report, JsonHasOneObjectPerResult) {
+  std::vector<CheckResult> const results{
+      compare("a", 1.5, 2.0, 1.0, "Pa", "note"),
+      compare("b", std::numeric_limits<double>::quiet_NaN(), 2.0, 1.0, "-", "")};
+  auto const json = nlohmann::ordered_json::parse(to_json(results).dump());
+  ASSERT_TRUE(json.is_array());
+  ASSERT_EQ(json.size(), 2u);
+  for (auto const& object : json)
+    for (char const* const key :
+         {"name", "measured", "reference", "tolerance", "unit", "pass", "note"})
+      EXPECT_TRUE(object.contains(key)) << key;
+  EXPECT_EQ(json[0]["name"], "a");
+  EXPECT_EQ(json[0]["measured"], 1.5);
+  EXPECT_EQ(json[0]["unit"], "Pa");
+  EXPECT_EQ(json[0]["pass"], true);
+  EXPECT_TRUE(json[1]["measured"].is_null());
+  EXPECT_EQ(json[1]["pass"], false);
+}
+
+TEST(Report, TableAndSummaryNameWhatFails) {
+  std::vector<CheckResult> const results{compare("good", 1.0, 1.0, 0.1, "Pa", ""),
+                                         compare("bad", 2.0, 1.0, 0.1, "Pa", "too high")};
+  std::string const plain = results_table(results, Colour::none);
+  EXPECT_NE(plain.find("pass  good"), std::string::npos);
+  EXPECT_NE(plain.find("FAIL  bad "), std::string::npos);
+  EXPECT_NE(plain.find("too high"), std::string::npos);
+  EXPECT_EQ(plain.find('\033'), std::string::npos);
+  EXPECT_NE(results_table(results, Colour::terminal).find("\033[31mFAIL"), std::string::npos);
+  EXPECT_EQ(summary(results), "1 of 2 results pass; not: bad");
+}
+
+TEST(ShippedCases, AllReadAndOneIsNotThere) {
+  std::set<std::string_view> names;
+  for (ShippedCase const& shipped : shipped_cases()) {
+    names.insert(shipped.name);
+    EXPECT_NO_THROW(shipped_case(shipped.name)) << shipped.name;
+  }
+  for (char const* const name :
+       {"dam-break-2d", "dam-break-3d", "hydrostatic-tank", "sod", "tnt-in-water"})
+    EXPECT_TRUE(names.contains(name)) << name;
+  EXPECT_THROW(shipped_case("volcano"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace moraine
