@@ -68,7 +68,8 @@ int dispatch(CLI::App const& app, Options const& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Moraine: particles for extreme events in civil, geotechnical and ocean engineering"};
+  CLI::App app{
+      "Moraine: particles for extreme events in civil, geotechnical and ocean engineering"};
   app.set_version_flag("--version", MORAINE_VERSION);
   app.require_subcommand(1);
   Options options;

@@ -25,15 +25,16 @@ void request_stop(int) { stop_requested = 1; }
 
 std::string default_output(std::string const& case_file) {
   auto const path = std::filesystem::absolute(case_file);
-  std::string const name = path.stem() == "case" ? path.parent_path().filename().string()
-                                                 : path.stem().string();
+  std::string const name =
+      path.stem() == "case" ? path.parent_path().filename().string() : path.stem().string();
   return "out/" + name;
 }
 
 void say_start(Case const& c, Simulation const& simulation, int threads) {
   auto const& store = simulation.particles();
   fmt::print(
-      "{}\n{}D, {} fluid and {} wall particles, spacing {:.4g} m, h {:.4g} m, kernel {}, {} threads, "
+      "{}\n{}D, {} fluid and {} wall particles, spacing {:.4g} m, h {:.4g} m, kernel {}, {} "
+      "threads, "
       "{}\n",
       c.title.empty() ? c.file : c.title, c.dimension, store.range(Kind::fluid).size(),
       store.range(Kind::wall).size(), c.numerics.spacing, c.numerics.smoothing_length(),
@@ -41,12 +42,9 @@ void say_start(Case const& c, Simulation const& simulation, int threads) {
 }
 
 ProgressReport report(Simulation const& simulation) {
-  return {simulation.time(),
-          simulation.model().time.end,
-          simulation.step(),
-          simulation.time_step(),
-          simulation.vote().reason,
-          simulation.particles().range(Kind::fluid).size()};
+  return {simulation.time(),        simulation.model().time.end,
+          simulation.step(),        simulation.time_step(),
+          simulation.vote().reason, simulation.particles().range(Kind::fluid).size()};
 }
 
 void say_end(Simulation const& simulation, std::string const& reason, double seconds,
@@ -56,9 +54,10 @@ void say_end(Simulation const& simulation, std::string const& reason, double sec
   if (simulation.lost().count > 0)
     fmt::print("{} particles left the domain and were removed ({:.4g} kg, {:.4g} J)\n",
                simulation.lost().count, simulation.lost().mass, simulation.lost().energy);
-  fmt::print("\n{}\nresults in {}: particles.pvd (ParaView), gauges.csv, sums.csv; pictures: "
-             "moraine plot {}\n",
-             timing_table(simulation.timers(), seconds), output, output);
+  fmt::print(
+      "\n{}\nresults in {}: particles.pvd (ParaView), gauges.csv, sums.csv; pictures: "
+      "moraine plot {}\n",
+      timing_table(simulation.timers(), seconds), output, output);
 }
 
 }  // namespace

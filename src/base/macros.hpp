@@ -7,8 +7,8 @@
 #define MORAINE_HD
 #endif
 
-/// Marker of formulas inside the pair loops: as MORAINE_HD, and always inlined. Without it compilers
-/// stop inlining in the large fused loops, and vectors then travel through memory.
+/// Marker of formulas inside the pair loops: as MORAINE_HD, and always inlined. Without it
+/// compilers stop inlining in the large fused loops, and vectors then travel through memory.
 #if defined(__CUDACC__)
 #define MORAINE_FORMULA MORAINE_HD __forceinline__
 #else

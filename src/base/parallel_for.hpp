@@ -26,7 +26,7 @@ inline std::size_t thread_index() { return 0; }
 template <class F>
 void for_each_block(std::size_t count, std::size_t block, F&& f) {
   auto const blocks = static_cast<std::ptrdiff_t>((count + block - 1) / block);
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (blocks > 1)
   for (std::ptrdiff_t b = 0; b < blocks; ++b) {
     std::size_t const begin = static_cast<std::size_t>(b) * block;
     f(begin, std::min(begin + block, count));
@@ -43,12 +43,13 @@ T reduce_blocks(std::size_t count, T init, F&& f, Combine&& combine) {
   std::size_t const block = std::max<std::size_t>(1024, (count + most_blocks - 1) / most_blocks);
   auto const blocks = static_cast<std::ptrdiff_t>((count + block - 1) / block);
   std::array<T, most_blocks> partial;
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (blocks > 1)
   for (std::ptrdiff_t b = 0; b < blocks; ++b) {
     std::size_t const begin = static_cast<std::size_t>(b) * block;
     partial[static_cast<std::size_t>(b)] = f(begin, std::min(begin + block, count));
   }
-  for (std::ptrdiff_t b = 0; b < blocks; ++b) init = combine(init, partial[static_cast<std::size_t>(b)]);
+  for (std::ptrdiff_t b = 0; b < blocks; ++b)
+    init = combine(init, partial[static_cast<std::size_t>(b)]);
   return init;
 }
 

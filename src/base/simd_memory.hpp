@@ -1,8 +1,8 @@
 // SIMD numbers from and to memory.
 //
 // The two operations that decide the speed of the pair loops are `load_transposed` (rows of records
-// to columns of lanes) and `compress_store` (append the selected lanes). Both have AVX-512, AVX2 and
-// portable forms here and nowhere else.
+// to columns of lanes) and `compress_store` (append the selected lanes). Both have AVX-512, AVX2
+// and portable forms here and nowhere else.
 #pragma once
 
 #include "base/simd.hpp"
@@ -91,7 +91,9 @@ struct QuadRows<double, 8> {
 #endif
 
 template <class T, std::size_t W>
-concept HasQuadRows = requires { sizeof(QuadRows<T, W>); };
+concept HasQuadRows = requires {
+  sizeof(QuadRows<T, W>);
+};
 
 }  // namespace detail
 
@@ -100,8 +102,8 @@ concept HasQuadRows = requires { sizeof(QuadRows<T, W>); };
 ///
 /// A quad is four numbers; records are aligned to quads. Sixteen lanes cost sixteen 16-byte loads
 /// and eight shuffles a quad, which on Zen 4 is 2.4 times cheaper than four hardware gathers
-/// (docs/decisions/0002-simd.md). All quads of four records are read together, so that an address is
-/// formed once.
+/// (docs/decisions/0002-simd.md). All quads of four records are read together, so that an address
+/// is formed once.
 template <int quads, class T, std::size_t W>
 MORAINE_FORMULA void load_transposed(T const* base, std::size_t stride, std::uint16_t const* offset,
                                      Simd<T, W>* out) {
@@ -117,7 +119,8 @@ MORAINE_FORMULA void load_transposed(T const* base, std::size_t stride, std::uin
   } else {
     T columns[4 * quads][W];
     for (std::size_t lane = 0; lane < W; ++lane)
-      for (std::size_t k = 0; k < 4 * quads; ++k) columns[k][lane] = base[offset[lane] * stride + k];
+      for (std::size_t k = 0; k < 4 * quads; ++k)
+        columns[k][lane] = base[offset[lane] * stride + k];
     for (std::size_t k = 0; k < 4 * quads; ++k) out[k] = Simd<T, W>::load(columns[k]);
   }
 }

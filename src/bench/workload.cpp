@@ -119,7 +119,6 @@ material.water = {{ eos = "tait", reference_density = 1000.0, reference_sound_sp
 name = "column"
 material = "water"
 box = {{ min = {origin}, max = {column} }}
-hydrostatic_level = {level}
 [[wall]]
 name = "tank"
 container = {{ min = {origin}, max = {tank} }}
@@ -131,8 +130,8 @@ open = ["{top}"]
       fmt::arg("factor", smoothing_factor(dimension)),
       fmt::arg("precision", precision_name(precision)),
       fmt::arg("origin", vector(dimension, 0.0, 0.0, 0.0)),
-      fmt::arg("column", corner(0.4, 0.67, 0.3)), fmt::arg("level", whole(0.3, spacing)),
-      fmt::arg("tank", corner(1.6, 0.67, 0.4)), fmt::arg("top", dimension == 3 ? "z+" : "y+"));
+      fmt::arg("column", corner(0.4, 0.67, 0.3)), fmt::arg("tank", corner(1.6, 0.67, 0.4)),
+      fmt::arg("top", dimension == 3 ? "z+" : "y+"));
   return parse_case(text, "dam-break");
 }
 

@@ -10,16 +10,16 @@ namespace moraine {
 
 /// Interpolated state; not a number everywhere when no fluid is near.
 struct PointState {
-  double pressure;         // Pa
-  double density;          // kg/m^3
-  double specific_energy;  // J/kg
+  double pressure;                 // Pa
+  double density;                  // kg/m^3
+  double specific_energy;          // J/kg
   std::array<double, 3> velocity;  // m/s
 };
 
 /// Shepard interpolation over the fluid particles within the support,
 ///   f(x) = sum_j f_j V_j W(x - x_j) / sum_j V_j W(x - x_j),  V_j = m_j / rho_j.
-/// Source: Randles & Libersky, Comput. Methods Appl. Mech. Eng. 139 (1996) 375, section 3. Exact for
-/// constant fields, also at free surfaces. h in m.
+/// Source: Randles & Libersky, Comput. Methods Appl. Mech. Eng. 139 (1996) 375, section 3. Exact
+/// for constant fields, also at free surfaces. h in m.
 PointState probe_point(ParticleStore const& store, KernelName kernel, double h,
                        std::array<double, 3> const& x);
 

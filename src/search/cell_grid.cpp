@@ -45,7 +45,8 @@ void CellGrid::fill(GridShape const& new_shape, int new_dimension,
   for (std::uint32_t const cell : cell_of_) ++start[cell + 1];
   for (std::size_t c = 1; c < start.size(); ++c) start[c] += start[c - 1];
   entry.resize(count + padding);
-  for (std::size_t i = 0; i < count; ++i) entry[start[cell_of_[i]]++] = static_cast<std::uint32_t>(i);
+  for (std::size_t i = 0; i < count; ++i)
+    entry[start[cell_of_[i]]++] = static_cast<std::uint32_t>(i);
   for (std::size_t c = shape.size(); c > 0; --c) start[c] = start[c - 1];
   start[0] = 0;
 

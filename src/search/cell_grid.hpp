@@ -13,13 +13,13 @@ using UnitPoint = std::array<Units, 3>;
 
 /// Shape of a grid: cells are numbered row by row, x fastest.
 struct GridShape {
-  std::array<double, 3> origin{};      // units
-  double edge = 1.0;                   // units
-  double inverse_edge = 1.0;           // 1 / units
+  std::array<double, 3> origin{};  // units
+  double edge = 1.0;               // units
+  double inverse_edge = 1.0;       // 1 / units
   std::array<int, 3> cells{1, 1, 1};
 
-  /// Covers [low, high] with cells of at least this edge; the edge doubles while there would be more
-  /// than `most_cells`.
+  /// Covers [low, high] with cells of at least this edge; the edge doubles while there would be
+  /// more than `most_cells`.
   static GridShape over(UnitPoint const& low, UnitPoint const& high, int dimension, double edge,
                         std::size_t most_cells);
 
@@ -31,7 +31,8 @@ struct GridShape {
   }
   std::size_t index(int cx, int cy, int cz) const {
     return (static_cast<std::size_t>(cz) * static_cast<std::size_t>(cells[1]) +
-            static_cast<std::size_t>(cy)) * static_cast<std::size_t>(cells[0]) +
+            static_cast<std::size_t>(cy)) *
+               static_cast<std::size_t>(cells[0]) +
            static_cast<std::size_t>(cx);
   }
   std::size_t size() const {
@@ -44,14 +45,15 @@ struct GridShape {
 struct CellGrid {
   GridShape shape;
   int dimension = 3;
-  std::vector<std::uint32_t> start;        // [cell]: first entry; one past the last cell at the end
-  std::array<std::vector<Units>, 3> x;     // [axis][entry]
-  std::vector<std::uint32_t> entry;        // [entry]: index of the point as given to `fill`
+  std::vector<std::uint32_t> start;     // [cell]: first entry; one past the last cell at the end
+  std::array<std::vector<Units>, 3> x;  // [axis][entry]
+  std::vector<std::uint32_t> entry;     // [entry]: index of the point as given to `fill`
 
   /// Sorts points by cell and, inside a cell, by key; returns nothing lost: entry.size() points.
   /// Arrays are padded by `padding` readable entries beyond the end.
   void fill(GridShape const& new_shape, int new_dimension,
-            std::array<std::span<Units const>, 3> const& points, std::span<std::uint64_t const> key);
+            std::array<std::span<Units const>, 3> const& points,
+            std::span<std::uint64_t const> key);
 
   std::size_t size() const { return start.empty() ? 0 : start.back(); }
   std::size_t bytes() const;

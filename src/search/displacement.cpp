@@ -39,7 +39,8 @@ void DisplacementBound::reset(CellGrid const& fluid, CellGrid const& walls, std:
 
   auto const at = [&](auto const& x, std::size_t i) {
     UnitPoint p{};
-    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) p[axis] = x[axis][i];
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
+      p[axis] = x[axis][i];
     return p;
   };
   start_.assign(coarse_.size() + 1, 0);
@@ -51,7 +52,8 @@ void DisplacementBound::reset(CellGrid const& fluid, CellGrid const& walls, std:
   for (std::size_t c = coarse_.size(); c > 0; --c) start_[c] = start_[c - 1];
   start_[0] = 0;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
-    reference_[axis].assign(positions[axis].begin(), positions[axis].begin() + static_cast<std::ptrdiff_t>(owned));
+    reference_[axis].assign(positions[axis].begin(),
+                            positions[axis].begin() + static_cast<std::ptrdiff_t>(owned));
 
   mark(walls, near_wall_);
   mark(fluid, near_fluid_);
@@ -111,7 +113,9 @@ void DisplacementBound::collect(std::array<std::span<Units const>, 3> const& pos
 
 /// One pass of a separable minimum / maximum filter over three cells along an axis.
 void DisplacementBound::spread(int axis) {
-  auto const cells = [&](int a) { return static_cast<std::size_t>(coarse_.cells[static_cast<std::size_t>(a)]); };
+  auto const cells = [&](int a) {
+    return static_cast<std::size_t>(coarse_.cells[static_cast<std::size_t>(a)]);
+  };
   std::size_t const step = axis == 0 ? 1 : (axis == 1 ? cells(0) : cells(0) * cells(1));
   std::size_t const along = cells(axis);
   for (std::size_t component = 0; component < static_cast<std::size_t>(dimension_); ++component) {
@@ -163,8 +167,7 @@ DisplacementBound::Largest DisplacementBound::largest(
       for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) {
         float const low = own_.low[axis][c];
         float const high = own_.high[axis][c];
-        double const relative =
-            std::max(around_.high[axis][c] - low, high - around_.low[axis][c]);
+        double const relative = std::max(around_.high[axis][c] - low, high - around_.low[axis][c]);
         double const moved = std::max(std::fabs(low), std::fabs(high));
         relative2 += relative * relative;
         moved2 += moved * moved;
@@ -181,8 +184,8 @@ DisplacementBound::Largest DisplacementBound::largest(
 }
 
 std::size_t DisplacementBound::bytes() const {
-  std::size_t sum = (order_.capacity() + start_.capacity()) * 4 +
-                    near_wall_.capacity() + near_fluid_.capacity();
+  std::size_t sum =
+      (order_.capacity() + start_.capacity()) * 4 + near_wall_.capacity() + near_fluid_.capacity();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     sum += reference_[axis].capacity() * sizeof(Units);
     for (Boxes const* boxes : {&own_, &around_, &scratch_})

@@ -1,9 +1,9 @@
 // How far points have moved against their neighbours since the lists were made.
 //
 // A list with a skin stays complete while no two points that could be neighbours have moved against
-// each other by more than the skin. The bound is local: the water of a fast, smooth stream keeps its
-// list although it travels far. Boxes of displacement are kept per coarse cell (edge >= the list
-// radius) and compared with those of the cells around.
+// each other by more than the skin. The bound is local: the water of a fast, smooth stream keeps
+// its list although it travels far. Boxes of displacement are kept per coarse cell (edge >= the
+// list radius) and compared with those of the cells around.
 #pragma once
 
 #include <array>

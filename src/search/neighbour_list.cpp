@@ -86,15 +86,14 @@ void RowCollector<D>::row(UnitPoint const& x, std::uint32_t self, std::size_t be
   for (std::size_t k = begin; k < end; k += width) {
     Float distance2(0.0f);
     for (std::size_t axis = 0; axis < D; ++axis) {
-      Float const difference =
-          convert<float>(Int(x[axis]) - Int::load(grid_.x[axis].data() + k));
+      Float const difference = convert<float>(Int(x[axis]) - Int::load(grid_.x[axis].data() + k));
       distance2 += difference * difference;
     }
     unsigned mask = bits_less(distance2, Float(radius2_));
     if (end - k < width) mask &= (1u << (end - k)) - 1u;
     mask &= ~bits_equal<width>(grid_.entry.data() + k, self);
-    found += static_cast<std::size_t>(
-        compress_store<width>(out + found, grid_.entry.data() + k, mask));
+    found +=
+        static_cast<std::size_t>(compress_store<width>(out + found, grid_.entry.data() + k, mask));
   }
   buffer.advance(found);
 }

@@ -41,10 +41,10 @@ struct NeighbourGroups {
 
 /// Lists of consecutive points, kept in blocks that grow and never shrink.
 ///
-/// A list is cut into groups of lanes() neighbours whose record slots lie within 65536 of each other;
-/// a group that is not full is padded with a record that lies nowhere (record_slots.hpp), so that the
-/// pair loops need neither a remainder nor a mask. Inside a list, neighbours stand in ascending order
-/// of their slots.
+/// A list is cut into groups of lanes() neighbours whose record slots lie within 65536 of each
+/// other; a group that is not full is padded with a record that lies nowhere (record_slots.hpp), so
+/// that the pair loops need neither a remainder nor a mask. Inside a list, neighbours stand in
+/// ascending order of their slots.
 class NeighbourList {
  public:
   static constexpr std::size_t block = 256;

@@ -1,8 +1,8 @@
 // Where the record of a point lies, and where the records that lie nowhere are.
 //
-// Neighbour lists hold 16-bit offsets, which halves the memory of a run. A group of lanes that is not
-// full is padded with a record far from everything; for such a record to be in reach of any offset,
-// one is put behind every 32768 records.
+// Neighbour lists hold 16-bit offsets, which halves the memory of a run. A group of lanes that is
+// not full is padded with a record far from everything; for such a record to be in reach of any
+// offset, one is put behind every 32768 records.
 #pragma once
 
 #include <cstddef>

@@ -33,7 +33,6 @@ BoxWall box_wall(Case const& c, WallSpec const& spec) {
   wall.max = spec.box.max;
   wall.solid = spec.form == WallForm::container ? SolidSide::outside : SolidSide::inside;
   wall.open = spec.open;
-  wall.free_slip = spec.slip == Slip::free;
   wall.periodic = {c.periodic, c.domain.min, c.domain.max};
   return wall;
 }
@@ -51,7 +50,10 @@ void add_walls(Case const& c, Model& model) {
       std::size_t const i = store.append(Kind::wall, no_material);
       set_vector(store, Field::position, i, dummy.position);
       store.scalar(Field::density)[i] = density;
-      model.walls.normal.push_back(dummy.normal);
+      WallPoint point{{}, static_cast<float>(dummy.depth), spec.slip == Slip::free};
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        point.normal[axis] = static_cast<float>(dummy.normal[axis]);
+      model.walls.points.push_back(point);
     }
     ++surface;
   }

@@ -42,10 +42,10 @@ using Shape = std::variant<Box, Disc, HalfPlane>;
 /// What the particles of a region start with. At most one of pressure, hydrostatic_level is given;
 /// absent values follow from the material: reference density, reference specific energy.
 struct InitialState {
-  Point velocity{};                       // m/s
-  std::optional<double> density;          // kg/m^3
-  std::optional<double> specific_energy;  // J/kg
-  std::optional<double> pressure;         // Pa; density or energy is solved for it
+  Point velocity{};                         // m/s
+  std::optional<double> density;            // kg/m^3
+  std::optional<double> specific_energy;    // J/kg
+  std::optional<double> pressure;           // Pa; density or energy is solved for it
   std::optional<double> hydrostatic_level;  // m, height of the free surface against gravity
 };
 
@@ -90,10 +90,10 @@ struct GaugeSpec {
 };
 
 struct OutputSpec {
-  double frame_interval = 0.0;       // s; 0: only the first and the last frame
-  std::vector<double> frame_times;   // s; extra frames
-  double gauge_interval = 0.0;       // s; 0: every step
-  double sums_interval = 0.0;        // s; 0: every step
+  double frame_interval = 0.0;      // s; 0: only the first and the last frame
+  std::vector<double> frame_times;  // s; extra frames
+  double gauge_interval = 0.0;      // s; 0: every step
+  double sums_interval = 0.0;       // s; 0: every step
 };
 
 struct Case {

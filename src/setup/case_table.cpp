@@ -81,6 +81,14 @@ void add_numerics(std::vector<Entry<Case>>& table) {
        .preset = static_cast<int>(Precision::mixed),
        .names = {"mixed", "double"},
        .meaning = "arithmetic of the pair sums; the state is double in both"}));
+  table.push_back(member<Case, numerics, &Numerics::continuity>(
+      {.key = "numerics.continuity",
+       .type = ValueType::choice,
+       .preset = static_cast<int>(ContinuityForm::mass),
+       .names = {"mass", "volume"},
+       .meaning = "weights of the continuity equation; volume where densities of neighbours differ "
+                  "severalfold",
+       .source = "Monaghan, Rep. Prog. Phys. 68 (2005) 1703, eqs 2.16 and 2.17"}));
   table.push_back(member<Case, numerics, &Numerics::density_diffusion>(
       {.key = "numerics.density_diffusion",
        .preset = 0.0,

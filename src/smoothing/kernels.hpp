@@ -41,7 +41,8 @@ struct CubicSpline {
   MORAINE_FORMULA static Real slope_over_q(Real const& q) {
     Real const inner = number<Real>(1.5) * q - number<Real>(2);
     Real const t = maximum(number<Real>(2) - q, number<Real>(0));
-    return select(q < number<Real>(1), inner, number<Real>(-0.5) * t * t / maximum(q, number<Real>(1)));
+    return select(q < number<Real>(1), inner,
+                  number<Real>(-0.5) * t * t / maximum(q, number<Real>(1)));
   }
 };
 

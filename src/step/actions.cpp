@@ -119,8 +119,8 @@ void Simulation::evaluate_matter() {
     for_each_block(count, loop_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         std::size_t const i = index(k);
-        auto const state = law.respond(density[i] + ahead * density_rate[i],
-                                       energy[i] + ahead * energy_rate[i]);
+        auto const state =
+            law.respond(density[i] + ahead * density_rate[i], energy[i] + ahead * energy_rate[i]);
         pressure[i] = state.pressure;
         sound_speed[i] = state.sound_speed;
       }
@@ -139,8 +139,10 @@ void Simulation::evaluate_matter() {
   std::size_t const count = store.range(Kind::fluid).size();
   std::size_t const bad = first_bad(count, [&](std::size_t i) { return !(sound_speed[i] >= 0.0); });
   if (bad != Vote::nobody)
-    fail(bad, fmt::format("the equation of state gives no sound speed (c^2 < 0) at density {} kg/m^3, "
-                          "specific energy {} J/kg", density[bad], energy[bad]));
+    fail(bad,
+         fmt::format("the equation of state gives no sound speed (c^2 < 0) at density {} kg/m^3, "
+                     "specific energy {} J/kg",
+                     density[bad], energy[bad]));
 }
 
 void Simulation::kick_and_check() {
@@ -195,8 +197,9 @@ void Simulation::kick_and_check() {
   };
   Largest const largest = reduce_blocks(count, Largest{}, kick, combine);
   if (largest.bad != Vote::nobody)
-    fail(largest.bad, density[largest.bad] > 0.0 ? "its velocity, density or energy is not a finite number"
-                                                 : "its density is not positive");
+    fail(largest.bad, density[largest.bad] > 0.0
+                          ? "its velocity, density or energy is not a finite number"
+                          : "its density is not positive");
   double const h = model_.numerics.smoothing_length();
   acceleration_vote_ = {model_.time.courant * std::sqrt(h / std::sqrt(largest.acceleration2)),
                         "acceleration", largest.particle};
@@ -208,11 +211,13 @@ void Simulation::fail(std::size_t particle, std::string const& cause) const {
   ParticleStore const& store = model_.particles;
   std::string place;
   for (int axis = 0; axis < model_.dimension; ++axis)
-    place += fmt::format("{}{:.6g}", axis == 0 ? "" : ", ", store.component(Field::position, axis)[particle]);
-  throw SimulationError(fmt::format(
-      "unstable: particle {} ({}) at ({}) m: {}; time {:.6g} s, step {}, time step {:.3g} s limited by {}",
-      store.id()[particle], model_.materials[store.material()[particle]].name, place, cause, time_,
-      step_, vote_.time_step, vote_.reason));
+    place += fmt::format("{}{:.6g}", axis == 0 ? "" : ", ",
+                         store.component(Field::position, axis)[particle]);
+  throw SimulationError(
+      fmt::format("unstable: particle {} ({}) at ({}) m: {}; time {:.6g} s, step {}, time step "
+                  "{:.3g} s limited by {}",
+                  store.id()[particle], model_.materials[store.material()[particle]].name, place,
+                  cause, time_, step_, vote_.time_step, vote_.reason));
 }
 
 ConservedSums Simulation::sums() const {
@@ -229,7 +234,8 @@ ConservedSums Simulation::sums() const {
         double const v = store.component(Field::velocity, axis)[i];
         sum.kinetic_energy += 0.5 * mass[i] * v * v;
         sum.momentum[k] += mass[i] * v;
-        sum.potential_energy -= mass[i] * model_.gravity[k] * store.component(Field::position, axis)[i];
+        sum.potential_energy -=
+            mass[i] * model_.gravity[k] * store.component(Field::position, axis)[i];
       }
     }
     return sum;

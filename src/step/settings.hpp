@@ -12,6 +12,9 @@ namespace moraine {
 /// and keeps the state in double; `full` ("double" in case files) does all in double.
 enum class Precision : std::uint8_t { mixed, full };
 
+/// Weights of the continuity equation: by the neighbour's mass, or by its volume.
+enum class ContinuityForm : std::uint8_t { mass, volume };
+
 struct Numerics {
   KernelName kernel = KernelName::wendland_c2;
   double spacing = 0.0;           // m
@@ -19,6 +22,7 @@ struct Numerics {
   double viscosity_alpha = 1.0;   // Monaghan, linear
   double viscosity_beta = 10.0;   // Monaghan, quadratic
   double density_diffusion = 0.0;
+  ContinuityForm continuity = ContinuityForm::mass;
   Precision precision = Precision::mixed;
   double smoothing_length() const { return smoothing_factor * spacing; }
 };

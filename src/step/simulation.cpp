@@ -10,15 +10,19 @@ namespace {
 
 constexpr std::array action_table{
     Simulation::ActionInfo{"time step", "every limit votes; the shortest step wins"},
-    Simulation::ActionInfo{"kick and drift", "half a step of velocity, density and energy; a whole "
-                                             "step of position"},
-    Simulation::ActionInfo{"lost particles", "remove particles that left the domain, and count them"},
-    Simulation::ActionInfo{"search", "check the neighbour lists; re-sort and rebuild when worn out"},
+    Simulation::ActionInfo{"kick and drift",
+                           "half a step of velocity, density and energy; a whole "
+                           "step of position"},
+    Simulation::ActionInfo{"lost particles",
+                           "remove particles that left the domain, and count them"},
+    Simulation::ActionInfo{"search",
+                           "check the neighbour lists; re-sort and rebuild when worn out"},
     Simulation::ActionInfo{"matter", "pressure and sound speed from the equations of state"},
     Simulation::ActionInfo{"gather", "copy what pair terms read into records; refresh images"},
     Simulation::ActionInfo{"walls", "continue pressure and density into wall particles"},
     Simulation::ActionInfo{"pairs", "sum all pair terms: rates of velocity, density and energy"},
-    Simulation::ActionInfo{"kick and check", "gravity, second half of the step, guard against runaway"},
+    Simulation::ActionInfo{"kick and check",
+                           "gravity, second half of the step, guard against runaway"},
 };
 
 }  // namespace
@@ -33,9 +37,9 @@ Simulation::Simulation(Model model)
                                reference_densities(model_))) {
   using Run = void (Simulation::*)();
   constexpr std::array<Run, action_table.size()> runs{
-      &Simulation::choose_time_step, &Simulation::kick_and_drift, &Simulation::remove_lost,
-      &Simulation::find_neighbours,  &Simulation::evaluate_matter, &Simulation::gather,
-      &Simulation::continue_into_walls, &Simulation::sum_pairs, &Simulation::kick_and_check};
+      &Simulation::choose_time_step,    &Simulation::kick_and_drift,  &Simulation::remove_lost,
+      &Simulation::find_neighbours,     &Simulation::evaluate_matter, &Simulation::gather,
+      &Simulation::continue_into_walls, &Simulation::sum_pairs,       &Simulation::kick_and_check};
   for (std::size_t k = 0; k < runs.size(); ++k)
     sequence_.push_back({action_table[k], runs[k], timers_.add(action_table[k].label)});
   model_.particles.shrink();
@@ -72,7 +76,7 @@ void Simulation::sum_pairs() { swept_ = pairs_->sweep(model_.particles, search_)
 
 std::size_t Simulation::bytes() const {
   std::size_t sum = model_.particles.bytes() + search_.bytes() + pairs_->bytes() +
-                    model_.walls.normal.capacity() * sizeof(model_.walls.normal[0]);
+                    model_.walls.points.capacity() * sizeof(WallPoint);
   for (auto const& indices : by_material_) sum += indices.capacity() * sizeof(std::uint32_t);
   return sum;
 }

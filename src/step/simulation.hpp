@@ -18,10 +18,10 @@ namespace moraine {
 
 /// Sums that a closed system conserves. In 2D per metre of thickness, in 1D per square metre.
 struct ConservedSums {
-  double kinetic_energy = 0.0;    // J
-  double internal_energy = 0.0;   // J
-  double potential_energy = 0.0;  // J, -m g . x
-  double mass = 0.0;              // kg
+  double kinetic_energy = 0.0;           // J
+  double internal_energy = 0.0;          // J
+  double potential_energy = 0.0;         // J, -m g . x
+  double mass = 0.0;                     // kg
   std::array<double, 3> momentum{};      // kg m/s
   std::array<double, 3> wall_impulse{};  // N s, of all walls on the fluid since the start
   double total_energy() const { return kinetic_energy + internal_energy + potential_energy; }
@@ -50,10 +50,10 @@ class Simulation {
   /// of state fails.
   void advance();
 
-  double time() const { return time_; }                       // s
+  double time() const { return time_; }  // s
   std::uint64_t step() const { return step_; }
-  double time_step() const { return vote_.time_step; }        // s, of the last step
-  Vote const& vote() const { return vote_; }                  // who limited the last step
+  double time_step() const { return vote_.time_step; }  // s, of the last step
+  Vote const& vote() const { return vote_; }            // who limited the last step
   Model const& model() const { return model_; }
   ParticleStore const& particles() const { return model_.particles; }
   Search const& search() const { return search_; }

@@ -34,14 +34,17 @@ SweepParameters sweep_parameters(Model const& model) {
   SweepParameters p;
   Eos const& eos = model.materials.front().eos;
   double const rho = reference_density(eos);
-  double const c = std::visit(
-      [&](auto const& law) { return law.sound_speed(rho, law.reference_energy); }, eos);
+  double const c =
+      std::visit([&](auto const& law) { return law.sound_speed(rho, law.reference_energy); }, eos);
   p.smoothing_length = model.numerics.smoothing_length();
   p.viscosity_alpha = model.numerics.viscosity_alpha;
   p.viscosity_beta = model.numerics.viscosity_beta;
   p.density_diffusion = model.numerics.density_diffusion;
   p.gravity = model.gravity;
-  for (std::size_t axis = 0; axis < 3; ++axis) p.hydrostatic_slope[axis] = model.gravity[axis] / (c * c);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    p.hydrostatic_slope[axis] = model.gravity[axis] / (c * c);
+  p.volume_continuity = model.numerics.continuity == ContinuityForm::volume;
+  p.contact_gap = 0.25 * model.numerics.spacing;
   p.particle_volume = std::pow(model.numerics.spacing, model.dimension);
   auto const set = [&](PairField field, double value) {
     p.uniform[static_cast<std::size_t>(field)] = value;
@@ -54,14 +57,16 @@ SweepParameters sweep_parameters(Model const& model) {
 
 std::vector<double> reference_densities(Model const& model) {
   std::vector<double> densities;
-  for (Material const& material : model.materials) densities.push_back(reference_density(material.eos));
+  for (Material const& material : model.materials)
+    densities.push_back(reference_density(material.eos));
   return densities;
 }
 
 SchemeName scheme_of(Model const& model) {
   if (model.materials.size() != 1 || !std::holds_alternative<Tait>(model.materials.front().eos))
     return SchemeName::compressible;
-  double const lattice_mass = sweep_parameters(model).uniform[static_cast<std::size_t>(PairField::mass)];
+  double const lattice_mass =
+      sweep_parameters(model).uniform[static_cast<std::size_t>(PairField::mass)];
   for (double const mass : model.particles.scalar(Field::mass))
     if (std::fabs(mass - lattice_mass) > 1e-12 * lattice_mass) return SchemeName::compressible;
   return SchemeName::liquid;

@@ -36,7 +36,8 @@ struct FieldInfo {
 
 inline constexpr std::array field_table{
     FieldInfo{Field::position, "position", "m", Rank::vector, true, true, "place of the particle"},
-    FieldInfo{Field::velocity, "velocity", "m/s", Rank::vector, true, false, "velocity of the particle"},
+    FieldInfo{Field::velocity, "velocity", "m/s", Rank::vector, true, false,
+              "velocity of the particle"},
     FieldInfo{Field::density, "density", "kg/m^3", Rank::scalar, true, true, "mass density"},
     FieldInfo{Field::specific_energy, "specific_energy", "J/kg", Rank::scalar, true, false,
               "internal energy per mass"},
@@ -55,12 +56,16 @@ inline constexpr std::array field_table{
 };
 inline constexpr std::size_t field_count = field_table.size();
 
-constexpr FieldInfo const& info(Field field) { return field_table[static_cast<std::size_t>(field)]; }
+constexpr FieldInfo const& info(Field field) {
+  return field_table[static_cast<std::size_t>(field)];
+}
 
-static_assert([] {
-  for (std::size_t i = 0; i < field_count; ++i)
-    if (static_cast<std::size_t>(field_table[i].field) != i) return false;
-  return true;
-}(), "field_table must list the fields in the order of the enum");
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < field_count; ++i)
+        if (static_cast<std::size_t>(field_table[i].field) != i) return false;
+      return true;
+    }(),
+    "field_table must list the fields in the order of the enum");
 
 }  // namespace moraine

@@ -21,7 +21,7 @@ struct ArtificialViscosity {
 
   template <int D, class Self, class Neighbour>
   MORAINE_FORMULA void operator()(Pair<Real, D> const& pair, Self const& i, Neighbour const& j,
-                             PairRates<Real>& rates) const {
+                                  PairRates<Real>& rates) const {
     Real const c = number<Real>(0.5) * (sound_speed(i) + sound_speed(j));
     Real const mu_by_rho =
         smoothing_length * minimum(pair.approach, number<Real>(0)) * pair.inverse;

@@ -23,7 +23,7 @@ struct DensityDiffusion {
 
   template <class Self, class Neighbour>
   MORAINE_FORMULA void operator()(Pair<Real, D> const& pair, Self const& i, Neighbour const& j,
-                             PairRates<Real>& rates) const {
+                                  PairRates<Real>& rates) const {
     Real hydrostatic = number<Real>(0);  // difference of compression at equilibrium, i minus j
     for (int axis = 0; axis < D; ++axis) hydrostatic += hydrostatic_slope[axis] * pair.x[axis];
     Real const c = number<Real>(0.5) * (sound_speed(i) + sound_speed(j));

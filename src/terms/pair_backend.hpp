@@ -21,16 +21,23 @@ enum class Flavour : std::uint8_t { mixed, full, reference };
 /// Which pair terms and records (terms/schemes.hpp).
 enum class SchemeName : std::uint8_t { liquid, compressible };
 
-/// Constant data of wall particles: normal into the fluid, zero where nothing is projected.
+/// What the pair terms know of a wall particle besides its place.
+struct WallPoint {
+  std::array<float, 3> normal;  // into the fluid; zero behind edges and corners
+  float depth;                  // m, behind the face of that normal
+  bool free_slip;
+};
+
+/// Constant data of wall particles.
 struct WallData {
-  std::vector<std::array<double, 3>> normal;  // by global id minus first_id
+  std::vector<WallPoint> points;  // by global id minus first_id
   std::uint64_t first_id = 0;
 };
 
 /// What one sweep tells besides the rates it leaves in the store.
 struct SweepOutcome {
-  double signal_speed = 0.0;        // largest c + 0.6 (alpha c + beta max|mu|) [m/s]
-  std::size_t particle = 0;         // where
+  double signal_speed = 0.0;           // largest c + 0.6 (alpha c + beta max|mu|) [m/s]
+  std::size_t particle = 0;            // where
   std::array<double, 3> wall_force{};  // force of all walls on the fluid [N]
 };
 

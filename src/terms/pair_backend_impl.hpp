@@ -109,7 +109,8 @@ class PairBackendImpl final : public PairBackend {
     }
   }
 
-  void gather_scalars(ParticleStore const& store, double ahead, std::size_t begin, std::size_t end) {
+  void gather_scalars(ParticleStore const& store, double ahead, std::size_t begin,
+                      std::size_t end) {
     auto const density = store.scalar(Field::density);
     auto const density_rate = store.scalar(Field::density_rate);
     auto const pressure = store.scalar(Field::pressure);
@@ -128,8 +129,9 @@ class PairBackendImpl final : public PairBackend {
   }
 
   void extrapolate_to(ParticleStore& store, Search const& search, std::size_t k, std::size_t i) {
-    WallState const state = extrapolate<flavour == Flavour::reference, Real, D, Kernel, FluidLayout>(
-        parameters_, wall_.record(i), uniform_.data(), search.wall_fluid(), i, fluid_.data());
+    WallState const state =
+        extrapolate<flavour == Flavour::reference, Real, D, Kernel, FluidLayout>(
+            parameters_, wall_.record(i), uniform_.data(), search.wall_fluid(), i, fluid_.data());
     if (state.weight <= 0.0) return;
     store.scalar(Field::pressure)[k] = state.pressure;
     store.scalar(Field::density)[k] = state.density;
@@ -142,11 +144,12 @@ class PairBackendImpl final : public PairBackend {
     for_each_block(range.size(), loop_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         std::size_t const k = range.begin + i;
-        auto const& n = walls.normal[store.id()[k] - walls.first_id];
+        WallPoint const& point = walls.points[store.id()[k] - walls.first_id];
+        wall_.set(i, PairField::wall_depth, point.free_slip ? point.depth : -point.depth);
         for (int axis = 0; axis < D; ++axis) {
           wall_.set_position(i, axis, store.component(Field::position, axis)[k], map);
           wall_.set(i, PairField::velocity, 0.0, axis);
-          wall_.set(i, PairField::normal, n[static_cast<std::size_t>(axis)], axis);
+          wall_.set(i, PairField::normal, point.normal[static_cast<std::size_t>(axis)], axis);
         }
       }
     });
@@ -156,8 +159,9 @@ class PairBackendImpl final : public PairBackend {
     double const rho = store.scalar(Field::density)[k];
     double const p = store.scalar(Field::pressure)[k];
     double const rho_0 =
-        Scheme::uniform ? parameters_.uniform[static_cast<std::size_t>(PairField::reference_density)]
-                        : rho;
+        Scheme::uniform
+            ? parameters_.uniform[static_cast<std::size_t>(PairField::reference_density)]
+            : rho;
     wall_.set(i, PairField::pressure_term, p / (rho * rho));
     wall_.set(i, PairField::compression, (rho - rho_0) / rho_0);
     if constexpr (!Scheme::uniform) {
@@ -182,7 +186,8 @@ class PairBackendImpl final : public PairBackend {
         acceleration[axis][i] = sum_of_lanes(sum.acceleration[axis]);
         if (from_fluid)
           outcome.wall_force[static_cast<std::size_t>(axis)] +=
-              particle_mass[i] * sum_of_lanes(sum.acceleration[axis] - from_fluid->acceleration[axis]);
+              particle_mass[i] *
+              sum_of_lanes(sum.acceleration[axis] - from_fluid->acceleration[axis]);
       }
       density_rate[i] = sum_of_lanes(sum.density_rate);
       energy_rate[i] = sum_of_lanes(sum.energy_rate);
@@ -208,20 +213,20 @@ class PairBackendImpl final : public PairBackend {
       Broadcast<Number, FluidLayout> const self{fluid_.record(i), uniform_.data()};
       PairSum<Number, D> sum{};
       if constexpr (flavour == Flavour::reference)
-        reference_sum<false, D, Kernel, FluidLayout>(parameters_, self, search.fluid_fluid().points(i),
-                                                     fluid_.data(), with_fluid, sum);
+        reference_sum<false, D, Kernel, FluidLayout>(
+            parameters_, self, search.fluid_fluid().points(i), fluid_.data(), with_fluid, sum);
       else
-        sum_over_pairs<false, Real, D, Kernel, FluidLayout>(constants, self, search.fluid_fluid().of(i),
-                                                            fluid_.data(), with_fluid, sum);
+        sum_over_pairs<false, Real, D, Kernel, FluidLayout>(
+            constants, self, search.fluid_fluid().of(i), fluid_.data(), with_fluid, sum);
       std::optional<PairSum<Number, D>> from_fluid;
       if (!search.fluid_wall().of(i).empty()) {
         from_fluid = sum;
         if constexpr (flavour == Flavour::reference)
-          reference_sum<true, D, Kernel, WallLayout>(parameters_, self, search.fluid_wall().points(i),
-                                                     wall_.data(), with_wall, sum);
+          reference_sum<true, D, Kernel, WallLayout>(
+              parameters_, self, search.fluid_wall().points(i), wall_.data(), with_wall, sum);
         else
-          sum_over_pairs<true, Real, D, Kernel, WallLayout>(constants, self, search.fluid_wall().of(i),
-                                                            wall_.data(), with_wall, sum);
+          sum_over_pairs<true, Real, D, Kernel, WallLayout>(
+              constants, self, search.fluid_wall().of(i), wall_.data(), with_wall, sum);
       }
       use(i, sum, from_fluid);
     }
@@ -235,7 +240,8 @@ class PairBackendImpl final : public PairBackend {
     for (std::uint32_t const j : list) {
       double distance2 = 0.0;
       for (int axis = 0; axis < D; ++axis) {
-        double const difference = metres_between(fluid_.record(i)[axis], neighbours.record(j)[axis]);
+        double const difference =
+            metres_between(fluid_.record(i)[axis], neighbours.record(j)[axis]);
         distance2 += difference * difference;
       }
       near += distance2 < reach * reach ? 1 : 0;
@@ -245,7 +251,8 @@ class PairBackendImpl final : public PairBackend {
 
   double metres_between(Slot a, Slot b) const {
     if constexpr (std::is_same_v<Slot, float>)
-      return (static_cast<double>(std::bit_cast<Units>(a)) - static_cast<double>(std::bit_cast<Units>(b))) *
+      return (static_cast<double>(std::bit_cast<Units>(a)) -
+              static_cast<double>(std::bit_cast<Units>(b))) *
              parameters_.position_scale;
     else
       return a - b;

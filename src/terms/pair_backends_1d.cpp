@@ -3,11 +3,14 @@
 
 namespace moraine {
 
-template std::unique_ptr<PairBackend> make_backend<1, Flavour::mixed>(
-    KernelName, SchemeName, SweepParameters const&, std::vector<double>);
-template std::unique_ptr<PairBackend> make_backend<1, Flavour::full>(
-    KernelName, SchemeName, SweepParameters const&, std::vector<double>);
-template std::unique_ptr<PairBackend> make_backend<1, Flavour::reference>(
-    KernelName, SchemeName, SweepParameters const&, std::vector<double>);
+template std::unique_ptr<PairBackend> make_backend<1, Flavour::mixed>(KernelName, SchemeName,
+                                                                      SweepParameters const&,
+                                                                      std::vector<double>);
+template std::unique_ptr<PairBackend> make_backend<1, Flavour::full>(KernelName, SchemeName,
+                                                                     SweepParameters const&,
+                                                                     std::vector<double>);
+template std::unique_ptr<PairBackend> make_backend<1, Flavour::reference>(KernelName, SchemeName,
+                                                                          SweepParameters const&,
+                                                                          std::vector<double>);
 
 }  // namespace moraine

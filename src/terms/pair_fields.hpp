@@ -22,8 +22,9 @@ enum class PairField : std::uint8_t {
   mass,               // kg
   sound_speed,        // m/s
   normal,             // wall normal into the fluid, or zero [-]
+  wall_depth,         // distance behind the wall's face [m], negative where the wall has no slip
 };
-inline constexpr std::size_t pair_field_count = 7;
+inline constexpr std::size_t pair_field_count = 8;
 
 /// Numbers that a field takes in D dimensions.
 template <int D>
@@ -58,6 +59,7 @@ using UniformFields = std::array<Slot, pair_field_count>;
 template <class Real, class Layout>
 struct Lanes {
   using Number = Real;
+  static constexpr bool has(PairField field) { return Layout::has(field); }
   Real packed[Layout::stride];
   SlotOf<Real> const* uniform;
 
@@ -74,6 +76,7 @@ struct Lanes {
 template <class Real, class Layout>
 struct Broadcast {
   using Number = Real;
+  static constexpr bool has(PairField field) { return Layout::has(field); }
   SlotOf<Real> const* record;
   SlotOf<Real> const* uniform;
 
@@ -115,6 +118,11 @@ MORAINE_FORMULA auto sound_speed(P const& particle) {
 template <class P>
 MORAINE_FORMULA auto normal(P const& particle, int axis) {
   return particle.template get<PairField::normal>(axis);
+}
+
+template <class P>
+MORAINE_FORMULA auto wall_depth(P const& particle) {
+  return particle.template get<PairField::wall_depth>();
 }
 
 /// Density rho = rho_0 (1 + compression) [kg/m^3].

@@ -35,15 +35,17 @@ void reference_sum(SweepParameters const& parameters, Self const& self,
     }
     pair.approach = along;
     if constexpr (wall) {
-      double depth = 0.0;
+      double ahead = 0.0;
       double speed = 0.0;
       double length2 = 0.0;
       for (int axis = 0; axis < D; ++axis) {
-        depth += pair.x[axis] * normal(neighbour, axis);
+        ahead += pair.x[axis] * normal(neighbour, axis);
         speed += v[axis] * normal(neighbour, axis);
         length2 += normal(neighbour, axis) * normal(neighbour, axis);
       }
-      if (length2 > 0.5) pair.approach = depth * speed;
+      bool const has_face = length2 > 0.5;
+      if (has_face && wall_depth(neighbour) > 0.0) pair.approach = ahead * speed;
+      pair.gap = has_face ? ahead - std::fabs(wall_depth(neighbour)) : 1e6;
     }
     pair.mean_density = 0.5 * (density(self) + density(neighbour));
     pair.inverse = 1.0 / ((pair.distance2 + parameters.softening2()) * pair.mean_density);

@@ -9,6 +9,8 @@
 #include "terms/pair_fields.hpp"
 #include "terms/pressure_force.hpp"
 #include "terms/sweep_parameters.hpp"
+#include "terms/wall_contact.hpp"
+#include "terms/wall_pressure.hpp"
 
 namespace moraine {
 
@@ -18,19 +20,23 @@ auto fluid_terms(SweepParameters const& p) {
   DensityDiffusion<Real, D> diffusion{number<Real>(2.0 * p.density_diffusion * p.smoothing_length),
                                       {}};
   for (int axis = 0; axis < D; ++axis)
-    diffusion.hydrostatic_slope[axis] = number<Real>(p.hydrostatic_slope[static_cast<std::size_t>(axis)]);
-  return std::tuple{ContinuityDensity{}, PressureForce{},
-                    ArtificialViscosity<Real>{number<Real>(p.viscosity_alpha), number<Real>(p.viscosity_beta),
-                                              number<Real>(p.smoothing_length)},
-                    diffusion};
+    diffusion.hydrostatic_slope[axis] =
+        number<Real>(p.hydrostatic_slope[static_cast<std::size_t>(axis)]);
+  return std::tuple{
+      ContinuityDensity<Real>{number<Real>(p.volume_continuity ? 1.0 : 0.0)}, PressureForce{},
+      ArtificialViscosity<Real>{number<Real>(p.viscosity_alpha), number<Real>(p.viscosity_beta),
+                                number<Real>(p.smoothing_length)},
+      diffusion};
 }
 
 /// Terms between a fluid particle and a wall: no diffusion, a wall has no density of its own.
 template <class Real>
 auto wall_terms(SweepParameters const& p) {
-  return std::tuple{ContinuityDensity{}, PressureForce{},
-                    ArtificialViscosity<Real>{number<Real>(p.viscosity_alpha), number<Real>(p.viscosity_beta),
-                                              number<Real>(p.smoothing_length)}};
+  return std::tuple{
+      ContinuityDensity<Real>{number<Real>(0)}, WallPressure{},
+      WallContact<Real>{number<Real>(1.0 / p.contact_gap)},
+      ArtificialViscosity<Real>{number<Real>(p.viscosity_alpha), number<Real>(p.viscosity_beta),
+                                number<Real>(p.smoothing_length)}};
 }
 
 /// One weakly compressible liquid: mass, reference density and sound speed are the same for all
@@ -38,20 +44,22 @@ auto wall_terms(SweepParameters const& p) {
 template <int D>
 struct LiquidScheme {
   static constexpr bool uniform = true;
-  using Fluid = RecordLayout<D, PairField::velocity, PairField::pressure_term, PairField::compression>;
-  using Wall = RecordLayout<D, PairField::velocity, PairField::pressure_term, PairField::compression,
-                            PairField::normal>;
+  using Fluid =
+      RecordLayout<D, PairField::velocity, PairField::pressure_term, PairField::compression>;
+  using Wall = RecordLayout<D, PairField::velocity, PairField::pressure_term,
+                            PairField::compression, PairField::normal, PairField::wall_depth>;
 };
 
 /// Any mixture of compressible materials.
 template <int D>
 struct CompressibleScheme {
   static constexpr bool uniform = false;
-  using Fluid = RecordLayout<D, PairField::velocity, PairField::pressure_term, PairField::compression,
-                             PairField::reference_density, PairField::mass, PairField::sound_speed>;
-  using Wall = RecordLayout<D, PairField::velocity, PairField::pressure_term, PairField::compression,
-                            PairField::reference_density, PairField::mass, PairField::sound_speed,
-                            PairField::normal>;
+  using Fluid =
+      RecordLayout<D, PairField::velocity, PairField::pressure_term, PairField::compression,
+                   PairField::reference_density, PairField::mass, PairField::sound_speed>;
+  using Wall = RecordLayout<D, PairField::velocity, PairField::pressure_term,
+                            PairField::compression, PairField::reference_density, PairField::mass,
+                            PairField::sound_speed, PairField::normal, PairField::wall_depth>;
 };
 
 }  // namespace moraine

@@ -1,9 +1,9 @@
 // The loop over particle pairs.
 //
-// For each particle i the sweep walks its neighbour list W lanes at a time, turns the records of the
-// neighbours into lanes, forms the pair geometry, calls all terms, and adds up. It is the only place
-// where pairs are looped over with SIMD; `reference_sweep` beside it is the same loop written plainly
-// in scalar double, and tests hold one against the other.
+// For each particle i the sweep walks its neighbour list W lanes at a time, turns the records of
+// the neighbours into lanes, forms the pair geometry, calls all terms, and adds up. It is the only
+// place where pairs are looped over with SIMD; `reference_sweep` beside it is the same loop written
+// plainly in scalar double, and tests hold one against the other.
 #pragma once
 
 #include <bit>
@@ -35,7 +35,8 @@ MORAINE_FORMULA Real separation(SlotOf<Real> x_i, Real x_j, Real scale) {
   if constexpr (std::is_same_v<SlotOf<Real>, float>) {
     using Integers = Simd<std::int32_t, Real::size()>;
     return convert<float>(Integers(std::bit_cast<std::int32_t>(x_i)) -
-                          __builtin_bit_cast(Integers, x_j)) * scale;
+                          __builtin_bit_cast(Integers, x_j)) *
+           scale;
   } else {
     return Real(x_i) - x_j;
   }
@@ -86,21 +87,27 @@ MORAINE_FORMULA Pair<Real, D> geometry(Real const& position_scale, Self const& s
   return pair;
 }
 
-/// v_ij . x_ij as the wall's terms see it. Free slip: only the parts along the wall normal n count,
-/// (v_ij . n)(x_ij . n). Where the neighbour has no normal (n = 0: corners, no-slip walls) it is the
-/// whole product. Forces keep the whole x_ij: the pressure in a wall varies along the wall.
+/// v_ij . x_ij and the gap as the wall's terms see them. Free slip: only the parts along the wall
+/// normal n count, (v_ij . n)(x_ij . n); at no-slip walls and where the neighbour has no normal
+/// (n = 0: corners) it is the whole product. Forces keep the whole x_ij: the pressure in a wall
+/// varies along the wall.
 template <class Real, int D, class Neighbour>
-MORAINE_FORMULA Real approach_to_wall(Neighbour const& lanes, Pair<Real, D> const& pair,
-                                      Real const (&v)[D]) {
-  Real depth = number<Real>(0);
+MORAINE_FORMULA void look_at_wall(Neighbour const& lanes, Real const (&v)[D], Pair<Real, D>& pair) {
+  Real const zero = number<Real>(0);
+  Real ahead = number<Real>(0);
   Real speed = number<Real>(0);
   Real length2 = number<Real>(0);
   for (int axis = 0; axis < D; ++axis) {
-    depth += pair.x[axis] * normal(lanes, axis);
+    ahead += pair.x[axis] * normal(lanes, axis);
     speed += v[axis] * normal(lanes, axis);
     length2 += normal(lanes, axis) * normal(lanes, axis);
   }
-  return depth * speed + (number<Real>(1) - length2) * pair.approach;
+  Real const depth = wall_depth(lanes);
+  Real const slipping = ahead * speed + (number<Real>(1) - length2) * pair.approach;
+  pair.approach = select(zero < depth, slipping, pair.approach);
+  // Far in front where there is no face.
+  Real const everywhere = number<Real>(1e6) * (number<Real>(1) - length2);
+  pair.gap = ahead - maximum(depth, -depth) + everywhere;
 }
 
 /// Adds the neighbours in one list to `sum`. A wall has no internal energy: its pairs keep all of
@@ -113,34 +120,35 @@ void sum_over_pairs(SweepConstants<Real, D, Kernel> const& constants, Self const
   Real const energy_share = number<Real>(wall ? 1.0 : 0.5);
   Lanes<Real, Layout> lanes;
   lanes.uniform = self.uniform;
-  for_each_lanes(list, records, lanes, [&]() __attribute__((always_inline)) {
-    Pair<Real, D> pair = geometry<Real, D>(constants.position_scale, self, lanes);
-    Real v[D];
-    pair.approach = number<Real>(0);
-    for (int axis = 0; axis < D; ++axis) {
-      v[axis] = velocity(self, axis) - velocity(lanes, axis);
-      pair.approach += v[axis] * pair.x[axis];
-    }
-    Real const along = pair.approach;  // what the force does work on
-    if constexpr (wall) pair.approach = approach_to_wall<Real, D>(lanes, pair, v);
-    pair.mean_density = number<Real>(0.5) * (density(self) + density(lanes));
-    pair.inverse =
-        number<Real>(1) / ((pair.distance2 + constants.softening2) * pair.mean_density);
-    Real const q = square_root(pair.distance2 * constants.inverse_h2);
-    pair.gradient = constants.gradient_factor * Kernel::slope_over_q(q);
+  for_each_lanes(
+      list, records, lanes, [&]() __attribute__((always_inline)) {
+        Pair<Real, D> pair = geometry<Real, D>(constants.position_scale, self, lanes);
+        Real v[D];
+        pair.approach = number<Real>(0);
+        for (int axis = 0; axis < D; ++axis) {
+          v[axis] = velocity(self, axis) - velocity(lanes, axis);
+          pair.approach += v[axis] * pair.x[axis];
+        }
+        Real const along = pair.approach;  // what the force does work on
+        if constexpr (wall) look_at_wall<Real, D>(lanes, v, pair);
+        pair.mean_density = number<Real>(0.5) * (density(self) + density(lanes));
+        pair.inverse =
+            number<Real>(1) / ((pair.distance2 + constants.softening2) * pair.mean_density);
+        Real const q = square_root(pair.distance2 * constants.inverse_h2);
+        pair.gradient = constants.gradient_factor * Kernel::slope_over_q(q);
 
-    PairRates<Real> rates{number<Real>(0), number<Real>(0), number<Real>(0)};
-    std::apply([&](auto const&... term) { (term(pair, self, lanes, rates), ...); }, terms);
+        PairRates<Real> rates{number<Real>(0), number<Real>(0), number<Real>(0)};
+        std::apply([&](auto const&... term) { (term(pair, self, lanes, rates), ...); }, terms);
 
-    Real const weight = mass(lanes);
-    Real const push = weight * rates.stress * pair.gradient;
-    for (int axis = 0; axis < D; ++axis) sum.acceleration[axis] -= push * pair.x[axis];
-    sum.energy_rate += energy_share * push * along;
-    sum.density_rate += weight * rates.density_rate;
-    sum.approach_speed =
-        minimum(sum.approach_speed,
-                select(pair.gradient < number<Real>(0), rates.approach_speed, number<Real>(0)));
-  });
+        Real const weight = mass(lanes);
+        Real const push = weight * rates.stress * pair.gradient;
+        for (int axis = 0; axis < D; ++axis) sum.acceleration[axis] -= push * pair.x[axis];
+        sum.energy_rate += energy_share * push * along;
+        sum.density_rate += weight * rates.density_rate;
+        sum.approach_speed =
+            minimum(sum.approach_speed,
+                    select(pair.gradient < number<Real>(0), rates.approach_speed, number<Real>(0)));
+      });
   total = sum;
 }
 

@@ -8,13 +8,15 @@ namespace moraine {
 
 /// Run-time numbers of a sweep, the same for all pairs.
 struct SweepParameters {
-  double smoothing_length = 0.0;   // h [m]
-  double position_scale = 1.0;     // metres per fixed-point unit
-  double viscosity_alpha = 0.0;    // [-]
-  double viscosity_beta = 0.0;     // [-]
-  double density_diffusion = 0.0;  // delta [-]
+  double smoothing_length = 0.0;              // h [m]
+  double position_scale = 1.0;                // metres per fixed-point unit
+  double viscosity_alpha = 0.0;               // [-]
+  double viscosity_beta = 0.0;                // [-]
+  double density_diffusion = 0.0;             // delta [-]
   std::array<double, 3> gravity{};            // m/s^2
   std::array<double, 3> hydrostatic_slope{};  // g / c_0^2 [1/m]
+  bool volume_continuity = false;             // form of the continuity equation
+  double contact_gap = 1.0;                   // below this distance a wall pushes back [m]
   double particle_volume = 0.0;               // spacing^d [m^d], volume of a wall particle
   UniformFields<double> uniform{};
 

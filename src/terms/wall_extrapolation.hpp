@@ -52,11 +52,11 @@ WallState extrapolate(SweepParameters const& parameters, SlotOf<Real> const* sel
     gravity[axis] = number<Number>(parameters.gravity[static_cast<std::size_t>(axis)]);
   Number const inverse_h2 =
       number<Number>(1.0 / (parameters.smoothing_length * parameters.smoothing_length));
-  auto const add = [&](auto const& neighbour, Number const (&x)[D]) {
+  auto const add = [&](auto const& neighbour, Number const(&x)[D]) {
     Number distance2 = number<Number>(0);
     for (int axis = 0; axis < D; ++axis) distance2 += x[axis] * x[axis];
-    add_to_wall<Number, D>(Kernel::shape(square_root(distance2 * inverse_h2)), x, gravity, neighbour,
-                           sums);
+    add_to_wall<Number, D>(Kernel::shape(square_root(distance2 * inverse_h2)), x, gravity,
+                           neighbour, sums);
   };
   Number x[D];
   if constexpr (reference) {
@@ -69,11 +69,12 @@ WallState extrapolate(SweepParameters const& parameters, SlotOf<Real> const* sel
     Real const scale = number<Real>(parameters.position_scale);
     Lanes<Real, Layout> lanes;
     lanes.uniform = uniform;
-    for_each_lanes(lists.of(i), records, lanes, [&]() __attribute__((always_inline)) {
-      for (int axis = 0; axis < D; ++axis)
-        x[axis] = separation(self_record[axis], lanes.packed[axis], scale);
-      add(lanes, x);
-    });
+    for_each_lanes(
+        lists.of(i), records, lanes, [&]() __attribute__((always_inline)) {
+          for (int axis = 0; axis < D; ++axis)
+            x[axis] = separation(self_record[axis], lanes.packed[axis], scale);
+          add(lanes, x);
+        });
   }
   // The normalisation of the kernel drops out of all ratios.
   double const weight = sum_of_lanes(sums.weight);

@@ -30,7 +30,6 @@ struct BoxWall {
   Vec3 max{};  // m, upper corner
   SolidSide solid = SolidSide::outside;
   std::array<std::array<bool, 2>, 3> open{};  // [axis][0: minus side, 1: plus side]: no wall there
-  bool free_slip = true;
   PeriodicAxes periodic{};
 };
 

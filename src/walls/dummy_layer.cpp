@@ -129,7 +129,7 @@ class LayerBuilder {
     BoxSide const& side = sides_[nearest.side];
     FacePlace const place = place_on_side(wall_, nearest.side, position);
     Vec3 normal{};
-    if (nearest.unique && wall_.free_slip) normal[side.axis] = side.fluid_sign;
+    if (nearest.unique) normal[side.axis] = side.fluid_sign;
     dummies_.push_back({position, normal, surface_, place.face, place.uv, nearest.depth});
   }
 

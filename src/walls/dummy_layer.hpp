@@ -14,7 +14,7 @@ namespace moraine {
 struct Dummy {
   std::array<double, 3> position;  // m
   /// Unit normal into the fluid. Zero where the wall has none to offer: the nearest place of the
-  /// wall is an edge or a corner, two sides are equally near, or the wall has no free slip.
+  /// wall is an edge or a corner, or two sides are equally near.
   std::array<double, 3> normal;
   std::uint32_t surface;  // as given by the caller
   std::uint32_t face;     // of make_box_surface

@@ -25,7 +25,10 @@ Model walled_random_box(RandomBox const& box, double end) {
       model.particles.component(Field::position, axis)[i] =
           dummy.position[static_cast<std::size_t>(axis)];
     model.particles.scalar(Field::density)[i] = 1000.0;
-    model.walls.normal.push_back(dummy.normal);
+    WallPoint point{{}, static_cast<float>(dummy.depth), true};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      point.normal[axis] = static_cast<float>(dummy.normal[axis]);
+    model.walls.points.push_back(point);
   }
   return model;
 }

@@ -136,12 +136,6 @@ TEST_P(DummyLayer, NormalsAreOfTheNearestSideAlone) {
   }
 }
 
-TEST_P(DummyLayer, HasNoNormalsWithoutFreeSlip) {
-  BoxWall wall = GetParam().wall;
-  wall.free_slip = false;
-  for (Dummy const& dummy : make_dummy_layer(wall, dp, 3, 0)) EXPECT_EQ(norm(dummy.normal), 0.0);
-}
-
 INSTANTIATE_TEST_SUITE_P(Layouts, DummyLayer, testing::ValuesIn(layouts()),
                          [](auto const& layout) { return layout.param.name; });
 

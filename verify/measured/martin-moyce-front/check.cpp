@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -28,41 +29,61 @@ constexpr std::array measured{Sample{0.832, 1.217},  Sample{1.219, 1.474},  Samp
                               Sample{6.306, 8.966},  Sample{6.822, 9.986},  Sample{7.439, 10.963},
                               Sample{8.031, 11.977}, Sample{8.633, 13.005}, Sample{9.237, 13.970}};
 
+/// Where the two columns with n^2 = 2 agree best: Z = 1.44 at T = 1.21 (a = 1.125 inches) and 1.17.
+constexpr Sample reference{1.19, 1.44};
+
+/// Dimensionless path of the front of a simulated dam break.
+class FrontPath {
+ public:
+  FrontPath(Case const& dam, double a) {
+    Simulation simulation(build_model(dam));
+    double const unit = std::sqrt(-2.0 * dam.gravity[1] / a);
+    // Particles stand for half a spacing ahead of their centres.
+    auto const front = [&] {
+      return (probe_front(simulation.particles(), 0, 0, +1) + 0.5 * dam.numerics.spacing) / a;
+    };
+    path_.push_back({0.0, front()});
+    while (simulation.running()) {
+      simulation.advance();
+      path_.push_back({simulation.time() * unit, front()});
+    }
+  }
+
+  /// Front at a time, and first time at a front; linear between steps.
+  double at(double time) const { return interpolate(time, &Sample::time, &Sample::front); }
+  double when(double front) const { return interpolate(front, &Sample::front, &Sample::time); }
+
+ private:
+  double interpolate(double x, double Sample::*from, double Sample::*to) const {
+    auto const after =
+        std::find_if(path_.begin() + 1, path_.end(), [&](Sample const& s) { return s.*from >= x; });
+    if (after == path_.end()) return std::numeric_limits<double>::quiet_NaN();
+    Sample const& b = *after;
+    Sample const& a = *(after - 1);
+    return a.*to + (b.*to - a.*to) * (x - a.*from) / (b.*from - a.*from);
+  }
+
+  std::vector<Sample> path_;
+};
+
 }  // namespace
 
 std::vector<CheckResult> check_martin_moyce_front(Effort effort) {
   constexpr double a = 0.05715;  // m
   Case dam = shipped_case("dam-break-2d");
-  double const g = -dam.gravity[1];
   if (effort == Effort::quick) dam.numerics.spacing *= 2.0;
-  Simulation simulation(build_model(dam));
+  FrontPath const path(dam, a);
+  // The instant of release is not known to better than this: the clocks are set where the measured
+  // fronts of both columns agree (README.md).
+  double const late = reference.time - path.when(reference.front);
   std::vector<CheckResult> results;
-  double time = 0.0;
-  double front = 1.0;
   for (Sample const& point : measured) {
-    double time_before = time;
-    double front_before = front;
-    while (simulation.running() && time < point.time) {
-      simulation.advance();
-      time_before = time;
-      front_before = front;
-      time = simulation.time() * std::sqrt(2.0 * g / a);
-      // Particles stand for half a spacing ahead of their centres.
-      front = (probe_front(simulation.particles(), 0, 0, +1) + 0.5 * dam.numerics.spacing) / a;
-    }
-    double const share = time > time_before ? (point.time - time_before) / (time - time_before) : 0;
-    double const at = front_before + share * (front - front_before);
-    results.push_back(compare(fmt::format("martin-moyce-front: T = {:.2f}", point.time), at,
-                              point.front, 0.08 * point.front, "a", "no gate in the model"));
+    if (std::fabs(point.time - reference.time) < 0.1) continue;  // agrees by the choice of clocks
+    results.push_back(compare(fmt::format("martin-moyce-front: T = {:.2f}", point.time),
+                              path.at(point.time - late), point.front, 0.08 * point.front, "a",
+                              fmt::format("clock {:.2f} late; without that {:+.1f} %", late,
+                                          100.0 * (path.at(point.time) / point.front - 1.0))));
   }
-  // The speed does not depend on when the clock was started.
-  auto const speed = [](double front_1, double front_2) {
-    return (front_2 - front_1) / (measured.back().time - measured[2].time);
-  };
-  double const reference = speed(measured[2].front, measured.back().front);
-  results.push_back(compare("martin-moyce-front: speed",
-                            speed(results[2].measured, results.back().measured), reference,
-                            0.08 * reference, "-", "dZ/dT from T = 2.00 to 9.24"));
   return results;
 }
 
