@@ -70,14 +70,15 @@ void collect_neighbours(benchmark::State& run) {
   Points const points;
   CellGrid grid;
   points.sort(grid);
-  RowCollector<3> const collect(grid, Points::radius);
+  NeighbourFinder<3> const find(grid, Points::radius);
   std::size_t const middle = points.key.size() / 2 + Points::edge * Points::edge / 2;
   UnitPoint const x{points.x[0][middle], points.x[1][middle], points.x[2][middle]};
+  CandidateCache cache;
   IndexBuffer buffer;
   std::size_t found = 0;
   for (auto _ : run) {
     buffer.clear();
-    collect(x, static_cast<std::uint32_t>(middle), buffer);
+    find(x, static_cast<std::uint32_t>(middle), cache, buffer);
     found = buffer.content().size();
   }
   run.counters["neighbours"] = per_second(static_cast<double>(found));

@@ -22,7 +22,7 @@ void add_run(CLI::App& app, Options& options) {
   command->add_option("--output,-o", options.run.output,
                       "folder for results (default: out/<name of the case>)");
   command->add_option("--threads,-t", options.run.threads, "number of threads (default: all)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, 1024));
 }
 
 void add_plot(CLI::App& app, Options& options) {
@@ -38,13 +38,13 @@ void add_bench(CLI::App& app, Options& options) {
   command->add_flag("--list", options.bench.list, "say which workloads there are");
   command->add_flag("--json", options.bench.json, "figures as JSON");
   command->add_option("--threads,-t", options.bench.threads, "number of threads (default: all)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, 1024));
   command->add_option("--steps", options.bench.steps, "timed steps (default: of the workload)")
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--warm-up", options.bench.warm_up,
                    "steps before the clock starts (default: of the workload)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, 1024));
 }
 
 void add_verify(CLI::App& app, Options& options) {
@@ -55,7 +55,7 @@ void add_verify(CLI::App& app, Options& options) {
   command->add_flag("--quick", options.verify.quick, "coarser and shorter, same tolerances");
   command->add_flag("--json", options.verify.json, "results as JSON");
   command->add_option("--threads,-t", options.verify.threads, "number of threads (default: all)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, 1024));
 }
 
 int dispatch(CLI::App const& app, Options const& options) {

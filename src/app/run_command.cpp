@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "app/commands.hpp"
+#include "base/input_error.hpp"
 #include "base/simd.hpp"
 #include "output/progress.hpp"
 #include "output/run_recorder.hpp"
@@ -28,6 +29,16 @@ std::string default_output(std::string const& case_file) {
   std::string const name =
       path.stem() == "case" ? path.parent_path().filename().string() : path.stem().string();
   return "out/" + name;
+}
+
+/// The simulation with its first rates; a start that no law can answer is a mistake of the case.
+Simulation started(Case const& c) {
+  try {
+    return Simulation(build_model(c));
+  } catch (SimulationError const& error) {
+    throw InputErrors(
+        {{c.file, 0, 0, "region", "", fmt::format("at the start: {}", error.what()), ""}});
+  }
 }
 
 void say_start(Case const& c, Simulation const& simulation, int threads) {
@@ -72,7 +83,7 @@ int run_case(RunOptions const& options) {
   auto const start = Clock::now();
   auto const seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
 
-  Simulation simulation(build_model(c));
+  Simulation simulation = started(c);
   RunRecorder recorder(c, simulation, output, threads);
   say_start(c, simulation, threads);
   std::signal(SIGINT, request_stop);

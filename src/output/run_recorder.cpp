@@ -54,10 +54,16 @@ MaterialId material_of(Case const& c, std::string const& name) {
   return static_cast<MaterialId>(found - c.materials.begin());
 }
 
-/// The folder, without the frames that an earlier run left in it.
+/// The folder, without the frames and the snapshot that an earlier run left in it; other files
+/// stay.
 std::filesystem::path prepared(std::filesystem::path folder) {
-  std::filesystem::remove_all(folder / "frames");
   std::filesystem::create_directories(folder / "frames");
+  std::vector<std::filesystem::path> old{folder / "unstable.vtp"};
+  for (auto const& entry : std::filesystem::directory_iterator(folder / "frames")) {
+    std::string const name = entry.path().filename().string();
+    if (name.starts_with("particles_") && name.ends_with(".vtp")) old.push_back(entry.path());
+  }
+  for (auto const& file : old) std::filesystem::remove(file);
   return folder;
 }
 

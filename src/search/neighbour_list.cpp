@@ -63,73 +63,97 @@ std::size_t NeighbourList::bytes() const {
     sum += (b.bases.capacity() + b.start.capacity()) * sizeof(std::uint32_t) +
            b.offsets.capacity() * sizeof(std::uint16_t);
   for (Scratch const& scratch : scratch_)
-    sum += scratch.found.bytes() + scratch.bases.capacity() * sizeof(std::uint32_t) +
+    sum += scratch.candidates.bytes() + scratch.found.bytes() +
+           scratch.bases.capacity() * sizeof(std::uint32_t) +
            scratch.offsets.capacity() * sizeof(std::uint16_t);
   return sum;
 }
 
 template <int D>
-RowCollector<D>::RowCollector(CellGrid const& grid, double radius)
+NeighbourFinder<D>::NeighbourFinder(CellGrid const& grid, double radius)
     : grid_(grid),
       radius_(radius),
       // Squares are compared in single precision; the margin covers its rounding.
       radius2_(static_cast<float>(radius * radius * (1.0 + 1e-6))) {}
 
 template <int D>
-void RowCollector<D>::row(UnitPoint const& x, std::uint32_t self, std::size_t begin,
-                          std::size_t end, IndexBuffer& buffer) const {
-  constexpr std::size_t width = widest_float < 8 ? 4 : (D == 3 ? widest_float : 8);
-  using Float = Simd<float, width>;
-  using Int = Simd<std::int32_t, width>;
-  std::uint32_t* const out = buffer.room(end - begin + width);
-  std::size_t found = 0;
-  for (std::size_t k = begin; k < end; k += width) {
-    Float distance2(0.0f);
-    for (std::size_t axis = 0; axis < D; ++axis) {
-      Float const difference = convert<float>(Int(x[axis]) - Int::load(grid_.x[axis].data() + k));
-      distance2 += difference * difference;
-    }
-    unsigned mask = bits_less(distance2, Float(radius2_));
-    if (end - k < width) mask &= (1u << (end - k)) - 1u;
-    mask &= ~bits_equal<width>(grid_.entry.data() + k, self);
-    found +=
-        static_cast<std::size_t>(compress_store<width>(out + found, grid_.entry.data() + k, mask));
-  }
-  buffer.advance(found);
-}
-
-template <int D>
-void RowCollector<D>::operator()(UnitPoint const& x, std::uint32_t self,
-                                 IndexBuffer& buffer) const {
+void NeighbourFinder<D>::gather(std::array<int, 3> const& cell, CandidateCache& cache) const {
   GridShape const& shape = grid_.shape;
-  // Square of the distance from x to a row of cells along one axis, taken short by a few units for
-  // rounding: a row too many costs nothing but time.
-  auto const gap2 = [&](std::size_t axis, int cell) {
-    double const low = shape.origin[axis] + shape.edge * cell - x[axis];
-    double const gap = std::max({low, -low - shape.edge, 2.0}) - 2.0;
-    return gap * gap;
-  };
+  cache.cell = cell;
+  cache.valid = true;
+  cache.count = 0;
+  std::array<double, 3> low{}, high{};  // the cell, a hair larger for rounding
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    low[axis] = shape.origin[axis] + shape.edge * cell[axis] - 2.0;
+    high[axis] = low[axis] + shape.edge + 4.0;
+  }
   auto const range = [&](int axis, double reach) {
-    double const at = x[static_cast<std::size_t>(axis)];
-    return std::array<int, 2>{shape.along(at - reach, axis), shape.along(at + reach, axis)};
+    auto const k = static_cast<std::size_t>(axis);
+    return std::array<int, 2>{shape.along(low[k] - reach, axis),
+                              shape.along(high[k] + reach, axis)};
+  };
+  // Square of the gap between the cell and a row of cells along one axis.
+  auto const gap2 = [&](std::size_t axis, int row) {
+    double const row_low = shape.origin[axis] + shape.edge * row;
+    double const gap = std::max({row_low - high[axis], low[axis] - row_low - shape.edge, 0.0});
+    return gap * gap;
   };
   std::array<int, 2> const ys = D > 1 ? range(1, radius_) : std::array<int, 2>{0, 0};
   std::array<int, 2> const zs = D > 2 ? range(2, radius_) : std::array<int, 2>{0, 0};
   for (int cz = zs[0]; cz <= zs[1]; ++cz) {
-    double const left2 = radius_ * radius_ - (D > 2 ? gap2(2, cz) : 0.0);
     for (int cy = ys[0]; cy <= ys[1]; ++cy) {
-      double const half2 = left2 - (D > 1 ? gap2(1, cy) : 0.0);
+      double const half2 =
+          radius_ * radius_ - (D > 2 ? gap2(2, cz) : 0.0) - (D > 1 ? gap2(1, cy) : 0.0);
       if (half2 < 0.0) continue;
-      auto const xs = range(0, std::sqrt(half2) + 2.0);
+      auto const xs = range(0, std::sqrt(half2));
       std::size_t const first = shape.index(0, cy, cz);
-      row(x, self, grid_.start[first + static_cast<std::size_t>(xs[0])],
-          grid_.start[first + static_cast<std::size_t>(xs[1]) + 1], buffer);
+      std::size_t const begin = grid_.start[first + static_cast<std::size_t>(xs[0])];
+      std::size_t const end = grid_.start[first + static_cast<std::size_t>(xs[1]) + 1];
+      std::size_t const needed = cache.count + (end - begin) + CellGrid::padding;
+      if (cache.index.size() < needed) {
+        cache.index.resize(2 * needed);
+        for (auto& axis : cache.x) axis.resize(2 * needed);
+      }
+      copy_in_vectors(grid_.entry.data() + begin, end - begin, cache.index.data() + cache.count);
+      for (std::size_t axis = 0; axis < D; ++axis)
+        copy_in_vectors(grid_.x[axis].data() + begin, end - begin,
+                        cache.x[axis].data() + cache.count);
+      cache.count += end - begin;
     }
   }
 }
 
-template class RowCollector<1>;
-template class RowCollector<2>;
-template class RowCollector<3>;
+template <int D>
+void NeighbourFinder<D>::operator()(UnitPoint const& x, std::uint32_t self, CandidateCache& cache,
+                                    IndexBuffer& buffer) const {
+  constexpr std::size_t width = widest_float < 8 ? 4 : (D == 3 ? widest_float : 8);
+  using Float = Simd<float, width>;
+  using Int = Simd<std::int32_t, width>;
+  std::array<int, 3> cell{};  // not clamped: x may lie outside of the grid
+  for (std::size_t axis = 0; axis < D; ++axis)
+    cell[axis] = static_cast<int>(
+        std::floor((x[axis] - grid_.shape.origin[axis]) * grid_.shape.inverse_edge));
+  if (!cache.valid || cell != cache.cell) gather(cell, cache);
+
+  std::uint32_t* const out = buffer.room(cache.count + width);
+  std::size_t found = 0;
+  for (std::size_t k = 0; k < cache.count; k += width) {
+    Float distance2(0.0f);
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      Float const difference = convert<float>(Int(x[axis]) - Int::load(cache.x[axis].data() + k));
+      distance2 += difference * difference;
+    }
+    unsigned mask = bits_less(distance2, Float(radius2_));
+    if (cache.count - k < width) mask &= (1u << (cache.count - k)) - 1u;
+    mask &= ~bits_equal<width>(cache.index.data() + k, self);
+    found +=
+        static_cast<std::size_t>(compress_store<width>(out + found, cache.index.data() + k, mask));
+  }
+  buffer.advance(found);
+}
+
+template class NeighbourFinder<1>;
+template class NeighbourFinder<2>;
+template class NeighbourFinder<3>;
 
 }  // namespace moraine

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,6 +30,19 @@ class IndexBuffer {
  private:
   std::vector<std::uint32_t> indices_;
   std::size_t used_ = 0;
+};
+
+/// Points that may be neighbours of the points in one cell.
+struct CandidateCache {
+  std::array<std::vector<Units>, 3> x;  // [axis][candidate], padded to whole vectors
+  std::vector<std::uint32_t> index;
+  std::size_t count = 0;
+  std::array<int, 3> cell{};
+  bool valid = false;
+
+  std::size_t bytes() const {
+    return (x[0].capacity() + x[1].capacity() + x[2].capacity() + index.capacity()) * 4;
+  }
 };
 
 /// One list: groups of `lanes` record slots, each slot a base plus a 16-bit offset.
@@ -66,8 +80,8 @@ class NeighbourList {
   /// Points in the list of point i, padding left out; for tests and for counting.
   std::vector<std::uint32_t> points(std::size_t i) const;
 
-  /// Makes the lists of `count` points in groups of `lanes`: `collect(i, buffer)` appends the
-  /// neighbours of point i, in ascending order unless `unsorted`.
+  /// Makes the lists of `count` points in groups of `lanes`: `collect(i, candidates, buffer)`
+  /// appends the neighbours of point i, in ascending order unless `unsorted`.
   template <class Collect>
   void build(std::size_t count, std::size_t lanes, bool unsorted, Collect&& collect);
 
@@ -80,6 +94,7 @@ class NeighbourList {
     std::vector<std::uint32_t> start;  // first group of each point
   };
   struct Scratch {
+    CandidateCache candidates;
     IndexBuffer found;
     std::vector<std::uint32_t> bases;
     std::vector<std::uint16_t> offsets;
@@ -93,19 +108,23 @@ class NeighbourList {
   std::size_t lanes_ = 8;
 };
 
-/// Finds neighbours of a point among the entries of a grid.
+/// Finds the neighbours of points among the entries of a grid.
+///
+/// Points of one cell share their candidates: these are copied side by side once per cell, and each
+/// point then walks one plain array, without rows to look up and without a remainder per row.
 template <int D>
-class RowCollector {
+class NeighbourFinder {
  public:
   /// radius in units.
-  RowCollector(CellGrid const& grid, double radius);
+  NeighbourFinder(CellGrid const& grid, double radius);
 
-  /// Appends the indices of all points within the radius of x, except `self`.
-  void operator()(UnitPoint const& x, std::uint32_t self, IndexBuffer& buffer) const;
+  /// Appends the indices of all points within the radius of x, except `self`. Quick when x lies in
+  /// the same cell as in the call before with this cache.
+  void operator()(UnitPoint const& x, std::uint32_t self, CandidateCache& cache,
+                  IndexBuffer& buffer) const;
 
  private:
-  void row(UnitPoint const& x, std::uint32_t self, std::size_t begin, std::size_t end,
-           IndexBuffer& buffer) const;
+  void gather(std::array<int, 3> const& cell, CandidateCache& cache) const;
 
   CellGrid const& grid_;
   double radius_;
@@ -121,6 +140,7 @@ void NeighbourList::build(std::size_t count, std::size_t lanes, bool unsorted, C
   if (scratch_.size() < thread_count()) scratch_.resize(thread_count());
   for_each_block(count, block, [&](std::size_t begin, std::size_t end) {
     Scratch& scratch = scratch_[thread_index()];
+    scratch.candidates.valid = false;
     scratch.bases.clear();
     scratch.offsets.clear();
     Block& b = blocks_[begin / block];
@@ -128,7 +148,7 @@ void NeighbourList::build(std::size_t count, std::size_t lanes, bool unsorted, C
     b.start[0] = 0;
     for (std::size_t i = begin; i < end; ++i) {
       scratch.found.clear();
-      collect(i, scratch.found);
+      collect(i, scratch.candidates, scratch.found);
       auto const found = scratch.found.content();
       if (unsorted) std::sort(found.begin(), found.end());
       encode(found, scratch);

@@ -10,9 +10,9 @@
 namespace moraine {
 namespace {
 
-// Cost of a rebuild (sort, lists, cold caches) in units of one pair sweep. Measured 1.5 to 3 in 3D;
-// the best is flat: 1.5 and 3 differ by less than the noise, 0.6 is slower.
-constexpr double rebuild_cost = 1.5;
+// Cost of a rebuild (sort, lists, cold caches) in units of one pair sweep. Measured about 2 in 3D;
+// the optimum is flat, and the smaller value keeps the lists shorter.
+constexpr double rebuild_cost = 1.0;
 // Share of a sweep's pairs that have a wall neighbour: typical of tanks; only tunes the skins.
 constexpr double wall_share = 0.15;
 // Bounds of a skin in supports: below, rounding; above, lists full of pairs out of reach.
@@ -130,8 +130,9 @@ void Search::sort_points(ParticleStore& store, double reach) {
       low[axis] -= static_cast<Units>(reach);
       high[axis] += static_cast<Units>(reach);
     }
-    return GridShape::over(low, high, settings_.dimension, reach / cells_per_radius,
-                           4 * store.size() + 4096);
+    // A hair larger than the fraction of the radius, so that rounding never costs a further cell.
+    double const edge = 1.00001 * reach / cells_per_radius + 8.0;
+    return GridShape::over(low, high, settings_.dimension, edge, 4 * store.size() + 4096);
   };
   for (Kind const kind : {Kind::fluid, Kind::wall}) {
     if ((kind == Kind::wall && !walls) || store.range(kind).size() == 0) continue;
@@ -188,20 +189,24 @@ void Search::make_lists() {
   std::size_t const fluids = fluid.key.size() - fluid.images.size();
   std::size_t const walls = wall.key.size() - wall.images.size();
 
-  RowCollector<D> const near_fluid(fluid.grid, fluid_radius);
-  fluid_fluid_.build(fluids, lanes, unsorted, [&](std::size_t i, IndexBuffer& buffer) {
-    near_fluid(at(fluid, i), static_cast<std::uint32_t>(i), buffer);
-  });
-  RowCollector<D> const near_wall(wall.grid, wall_radius);
-  fluid_wall_.build(fluids, lanes, unsorted, [&](std::size_t i, IndexBuffer& buffer) {
-    UnitPoint const x = at(fluid, i);
-    if (walls > 0 && displacement_.near_wall(x)) near_wall(x, nobody, buffer);
-  });
-  RowCollector<D> const wall_near_fluid(fluid.grid, wall_radius);
-  wall_fluid_.build(walls, lanes, unsorted, [&](std::size_t i, IndexBuffer& buffer) {
-    UnitPoint const x = at(wall, i);
-    if (displacement_.near_fluid(x)) wall_near_fluid(x, nobody, buffer);
-  });
+  NeighbourFinder<D> const near_fluid(fluid.grid, fluid_radius);
+  fluid_fluid_.build(fluids, lanes, unsorted,
+                     [&](std::size_t i, CandidateCache& cache, IndexBuffer& buffer) {
+                       near_fluid(at(fluid, i), static_cast<std::uint32_t>(i), cache, buffer);
+                     });
+  NeighbourFinder<D> const near_wall(wall.grid, wall_radius);
+  fluid_wall_.build(fluids, lanes, unsorted,
+                    [&](std::size_t i, CandidateCache& cache, IndexBuffer& buffer) {
+                      UnitPoint const x = at(fluid, i);
+                      if (walls > 0 && displacement_.near_wall(x))
+                        near_wall(x, nobody, cache, buffer);
+                    });
+  NeighbourFinder<D> const wall_near_fluid(fluid.grid, wall_radius);
+  wall_fluid_.build(walls, lanes, unsorted,
+                    [&](std::size_t i, CandidateCache& cache, IndexBuffer& buffer) {
+                      UnitPoint const x = at(wall, i);
+                      if (displacement_.near_fluid(x)) wall_near_fluid(x, nobody, cache, buffer);
+                    });
   wet_walls_.clear();
   for (std::size_t i = 0; i < walls; ++i)
     if (!wall_fluid_.of(i).empty()) wet_walls_.push_back(static_cast<std::uint32_t>(i));
