@@ -44,7 +44,7 @@ void add_bench(CLI::App& app, Options& options) {
   command
       ->add_option("--warm-up", options.bench.warm_up,
                    "steps before the clock starts (default: of the workload)")
-      ->check(CLI::Range(0, 1024));
+      ->check(CLI::NonNegativeNumber);
 }
 
 void add_verify(CLI::App& app, Options& options) {

@@ -12,7 +12,6 @@
 #include "output/progress.hpp"
 #include "output/run_recorder.hpp"
 #include "output/timing_table.hpp"
-#include "output/vtp_writer.hpp"
 #include "setup/build_model.hpp"
 #include "setup/read_case.hpp"
 #include "step/simulation_error.hpp"
@@ -97,9 +96,7 @@ int run_case(RunOptions const& options) {
     }
   } catch (SimulationError const& error) {
     progress.clear();
-    auto const snapshot = std::filesystem::path(output) / "unstable.vtp";
-    write_vtp(snapshot, simulation.particles(), Kind::fluid, simulation.time());
-    recorder.finish(simulation, error.what(), seconds());
+    auto const snapshot = recorder.give_up(simulation, error.what(), seconds());
     fmt::print(stderr, "{}\nthe particles as they were: {}\n", error.what(), snapshot.string());
     return ExitCode::unstable;
   }

@@ -129,6 +129,19 @@ void RunRecorder::tell(Simulation const& simulation) {
 void RunRecorder::finish(Simulation const& simulation, std::string const& reason,
                          double wall_time) {
   if (simulation.time() > last_frame_time_) write_frame(simulation);
+  write_end(simulation, reason, wall_time);
+}
+
+std::filesystem::path RunRecorder::give_up(Simulation const& simulation, std::string const& reason,
+                                           double wall_time) {
+  auto const snapshot = folder_ / "unstable.vtp";
+  write_vtp(snapshot, simulation.particles(), Kind::fluid, simulation.time());
+  write_end(simulation, reason, wall_time);
+  return snapshot;
+}
+
+void RunRecorder::write_end(Simulation const& simulation, std::string const& reason,
+                            double wall_time) {
   manifest_.end = RunEnd{reason, wall_time, simulation.time(), simulation.step(),
                          simulation.particles().size()};
   write_manifest(folder_ / "manifest.json", manifest_);

@@ -46,7 +46,13 @@ class RunRecorder {
   /// Writes the last state and the end into the manifest. `reason`: why the run ended.
   void finish(Simulation const& simulation, std::string const& reason, double wall_time);
 
+  /// Writes the end of a run that broke down into the manifest, and its particles apart from the
+  /// good frames, to unstable.vtp, whose path it returns.
+  std::filesystem::path give_up(Simulation const& simulation, std::string const& reason,
+                                double wall_time);
+
  private:
+  void write_end(Simulation const& simulation, std::string const& reason, double wall_time);
   void write_frame(Simulation const& simulation);
   void write_gauges(Simulation const& simulation);
   void write_sums(Simulation const& simulation);

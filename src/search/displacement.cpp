@@ -26,7 +26,8 @@ void DisplacementBound::reset(CellGrid const& fluid, CellGrid const& walls, std:
                               double radius, bool local,
                               std::array<std::span<Units const>, 3> const& positions) {
   dimension_ = fluid.dimension;
-  owned_ = owned;
+  double const coarse_edge = 1.5 * radius;
+  far_limit_ = coarse_edge - radius;
   local_ = local;
   // The same box as the fine grid, in cells that no pair within the radius can skip.
   UnitPoint low{}, high{};
@@ -35,7 +36,7 @@ void DisplacementBound::reset(CellGrid const& fluid, CellGrid const& walls, std:
     low[axis] = static_cast<Units>(fluid.shape.origin[axis]);
     high[axis] = static_cast<Units>(std::min(2147483000.0, low[axis] + extent));
   }
-  coarse_ = GridShape::over(low, high, dimension_, radius, std::size_t{1} << 26);
+  coarse_ = GridShape::over(low, high, dimension_, coarse_edge, std::size_t{1} << 26);
 
   auto const at = [&](auto const& x, std::size_t i) {
     UnitPoint p{};
@@ -180,7 +181,24 @@ DisplacementBound::Largest DisplacementBound::largest(
   Largest const most = reduce_blocks(coarse_.size(), Largest{}, of_cells, [](Largest a, Largest b) {
     return Largest{std::max(a.fluid, b.fluid), std::max(a.wall, b.wall)};
   });
+  if (moved_far())
+    return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   return {std::sqrt(most.fluid), std::sqrt(most.wall)};
+}
+
+/// True when some point has moved, or two points have moved against each other, by more than the
+/// gap that cells which do not touch are sure to leave.
+bool DisplacementBound::moved_far() const {
+  double relative2 = 0.0;
+  double moved2 = 0.0;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) {
+    double const low = *std::min_element(own_.low[axis].begin(), own_.low[axis].end());
+    double const high = *std::max_element(own_.high[axis].begin(), own_.high[axis].end());
+    double const moved = std::max(std::fabs(low), std::fabs(high));
+    relative2 += (high - low) * (high - low);
+    moved2 += moved * moved;
+  }
+  return !(std::max(relative2, moved2) < far_limit_ * far_limit_);
 }
 
 std::size_t DisplacementBound::bytes() const {

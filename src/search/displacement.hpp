@@ -23,7 +23,8 @@ class DisplacementBound {
   void reset(CellGrid const& fluid, CellGrid const& walls, std::size_t owned, double radius,
              bool local, std::array<std::span<Units const>, 3> const& positions);
 
-  /// Largest possible relative displacement [units] of two neighbouring points.
+  /// Largest possible relative displacement [units] of two neighbouring points; infinite when
+  /// points of cells that do not touch may have come near each other.
   struct Largest {
     double fluid = 0.0;  // two fluid points
     double wall = 0.0;   // a fluid point and a wall point
@@ -45,9 +46,10 @@ class DisplacementBound {
   void mark(CellGrid const& points, std::vector<std::uint8_t>& near) const;
   void spread(int axis);
   void spread_everywhere();
+  bool moved_far() const;
 
   int dimension_ = 3;
-  std::size_t owned_ = 0;
+  double far_limit_ = 0.0;  // units, of the motion of all points together
   bool local_ = true;
   GridShape coarse_;
   std::vector<std::uint32_t> order_;  // owned points by coarse cell

@@ -56,7 +56,7 @@ bool Search::refresh(ParticleStore& store) {
       seen_ = now;
       return false;
     }
-    seen_ = now;
+    if (std::isfinite(now.fluid)) seen_ = now;
     choose_skins();
   }
   rebuild(store);
@@ -126,9 +126,12 @@ void Search::sort_points(ParticleStore& store, double reach) {
         low[axis] = std::min(low[axis], x);
         high[axis] = std::max(high[axis], x);
       }
-      if (!settings_.periodicity.periodic[axis]) continue;
-      low[axis] -= static_cast<Units>(reach);
-      high[axis] += static_cast<Units>(reach);
+      Periodicity const& sides = settings_.periodicity;
+      if (!sides.periodic[axis]) continue;
+      // Images lie beyond the sides, wherever the points themselves are.
+      auto const upper = static_cast<Units>(sides.low_units[axis] + sides.period_units[axis]);
+      low[axis] = std::min(low[axis], sides.low_units[axis]) - static_cast<Units>(reach);
+      high[axis] = std::max(high[axis], upper) + static_cast<Units>(reach);
     }
     // A hair larger than the fraction of the radius, so that rounding never costs a further cell.
     double const edge = 1.00001 * reach / cells_per_radius + 8.0;

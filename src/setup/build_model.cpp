@@ -1,5 +1,7 @@
 #include "setup/build_model.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "base/input_error.hpp"
@@ -59,9 +61,24 @@ void add_walls(Case const& c, Model& model) {
   }
 }
 
+/// A particle must not see another one and its image, nor itself.
+void check_periods(Case const& c) {
+  double const least = 2.0 * kernel_support * c.numerics.smoothing_length();
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(c.dimension); ++axis) {
+    double const period = c.domain.max[axis] - c.domain.min[axis];
+    if (!c.periodic[axis] || period >= least) continue;
+    throw InputErrors({{c.file, 0, 0, "space.periodic", "",
+                        fmt::format("the period of {:.4g} m is shorter than two kernel supports, "
+                                    "{:.4g} m",
+                                    period, least),
+                        "widen the domain or refine the spacing"}});
+  }
+}
+
 }  // namespace
 
 Model build_model(Case const& c) {
+  check_periods(c);
   Model model;
   model.dimension = c.dimension;
   model.domain_min = c.domain.min;

@@ -63,6 +63,7 @@ std::vector<double> reference_densities(Model const& model) {
 }
 
 SchemeName scheme_of(Model const& model) {
+  if (model.numerics.continuity == ContinuityForm::volume) return SchemeName::compressible;
   if (model.materials.size() != 1 || !std::holds_alternative<Tait>(model.materials.front().eos))
     return SchemeName::compressible;
   double const lattice_mass =

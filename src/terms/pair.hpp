@@ -15,7 +15,7 @@ struct Pair {
   Real gradient;      // grad_i W_ij = gradient * x [1/m^(d+2)]
   Real approach;      // v_ij . x [m^2/s], negative when the two come closer; at a free-slip wall
                       // only the parts along its normal
-  Real gap;           // distance of i in front of the face of a wall particle j [m]
+  Real gap;           // wall pairs only: distance of i in front of the face of j [m]
   Real mean_density;  // (rho_i + rho_j) / 2 [kg/m^3]
   Real inverse;       // 1 / (mean_density (distance2 + phi^2)) [m/kg], phi = 0.1 h
 };

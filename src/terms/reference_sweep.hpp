@@ -45,7 +45,8 @@ void reference_sum(SweepParameters const& parameters, Self const& self,
       }
       bool const has_face = length2 > 0.5;
       if (has_face && wall_depth(neighbour) > 0.0) pair.approach = ahead * speed;
-      pair.gap = has_face ? ahead - std::fabs(wall_depth(neighbour)) : 1e6;
+      bool const in_front = ahead > 0.0 && pair.distance2 < 2.0 * ahead * ahead;
+      pair.gap = in_front ? ahead - std::fabs(wall_depth(neighbour)) : 1e6;
     }
     pair.mean_density = 0.5 * (density(self) + density(neighbour));
     pair.inverse = 1.0 / ((pair.distance2 + parameters.softening2()) * pair.mean_density);

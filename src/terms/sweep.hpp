@@ -105,9 +105,11 @@ MORAINE_FORMULA void look_at_wall(Neighbour const& lanes, Real const (&v)[D], Pa
   Real const depth = wall_depth(lanes);
   Real const slipping = ahead * speed + (number<Real>(1) - length2) * pair.approach;
   pair.approach = select(zero < depth, slipping, pair.approach);
-  // Far in front where there is no face.
-  Real const everywhere = number<Real>(1e6) * (number<Real>(1) - length2);
-  pair.gap = ahead - maximum(depth, -depth) + everywhere;
+  // A wall particle speaks for its face only within 45 degrees of the normal: beside an edge the
+  // plane of the other face means nothing.
+  Real const outward = maximum(ahead, zero);
+  pair.gap = select(pair.distance2 < number<Real>(2) * outward * outward,
+                    ahead - maximum(depth, -depth), number<Real>(1e6));
 }
 
 /// Adds the neighbours in one list to `sum`. A wall has no internal energy: its pairs keep all of
