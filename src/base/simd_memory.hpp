@@ -102,8 +102,8 @@ concept HasQuadRows = requires {
 ///
 /// A quad is four numbers; records are aligned to quads. Sixteen lanes cost sixteen 16-byte loads
 /// and eight shuffles a quad, which on Zen 4 is 2.4 times cheaper than four hardware gathers
-/// (docs/decisions/0002-simd.md). All quads of four records are read together, so that an address
-/// is formed once.
+/// (docs/decisions/0001-one-list-no-cells.md). All quads of four records are read together, so that
+/// an address is formed once.
 template <int quads, class T, std::size_t W>
 MORAINE_FORMULA void load_transposed(T const* base, std::size_t stride, std::uint16_t const* offset,
                                      Simd<T, W>* out) {
