@@ -11,8 +11,10 @@ namespace moraine {
 
 /// Detonation products; the default is TNT.
 ///
-///   p = A (1 - omega eta / R1) exp(-R1 / eta) + B (1 - omega eta / R2) exp(-R2 / eta) + omega rho
-///   e eta = rho / rho_0
+///   p = A (1 - omega eta / R1) exp(-R1 / eta)
+///     + B (1 - omega eta / R2) exp(-R2 / eta) + omega rho e
+///
+///   eta = rho / rho_0
 ///
 /// Source: Dobratz and Crawford, LLNL Explosives Handbook, UCRL-52997 (1985); Liu and Liu, Smoothed
 /// Particle Hydrodynamics (2003), chapter 8, where A = 3.712e11 Pa for TNT.

@@ -11,8 +11,9 @@ namespace moraine {
 
 /// Tait (Murnaghan) liquid.
 ///
-///   p = B ((rho/rho_0)^gamma - 1) + p_b,   B = rho_0 c_0^2 / gamma,   c = c_0
-///   (rho/rho_0)^((gamma-1)/2)
+///   p = B ((rho/rho_0)^gamma - 1) + p_b,   B = rho_0 c_0^2 / gamma
+///
+///   c = c_0 (rho/rho_0)^((gamma-1)/2)
 ///
 /// Source: Cole, Underwater Explosions (1948), chapter 2; in SPH: Monaghan, J. Comput. Phys. 110
 /// (1994) 399.
