@@ -52,7 +52,9 @@ struct Points {
     shape = GridShape::over({0, 0, 0}, {edge * spacing, edge * spacing, edge * spacing}, 3,
                             radius / 2.0, 1'000'000);
   }
-  void sort(CellGrid& grid) const { grid.fill(shape, 3, {x[0], x[1], x[2]}, key); }
+  auto sort(CellSort& sort_by_cells, CellGrid& grid) const {
+    return sort_by_cells(shape, 3, {x[0], x[1], x[2]}, key, grid);
+  }
 
   std::array<std::vector<Units>, 3> x;
   std::vector<std::uint64_t> key;
@@ -62,15 +64,20 @@ struct Points {
 void sort_by_cells(benchmark::State& run) {
   Points const points;
   CellGrid grid;
-  for (auto _ : run) points.sort(grid);
+  CellSort sort;
+  for (auto _ : run) points.sort(sort, grid);
   run.counters["particles"] = per_second(static_cast<double>(points.key.size()));
 }
 
 void collect_neighbours(benchmark::State& run) {
   Points const points;
   CellGrid grid;
-  points.sort(grid);
-  NeighbourFinder<3> const find(grid, Points::radius);
+  CellSort sort;
+  std::array<std::vector<Units>, 3> sorted;
+  for (std::uint32_t const k : points.sort(sort, grid))
+    for (std::size_t axis = 0; axis < 3; ++axis) sorted[axis].push_back(points.x[axis][k]);
+  for (auto& axis : sorted) axis.resize(axis.size() + CellPoints::padding);
+  NeighbourFinder<3> const find({grid, {sorted[0], sorted[1], sorted[2]}}, Points::radius);
   std::size_t const middle = points.key.size() / 2 + Points::edge * Points::edge / 2;
   UnitPoint const x{points.x[0][middle], points.x[1][middle], points.x[2][middle]};
   CandidateCache cache;

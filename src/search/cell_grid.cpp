@@ -25,11 +25,13 @@ GridShape GridShape::over(UnitPoint const& low, UnitPoint const& high, int dimen
   }
 }
 
-void CellGrid::fill(GridShape const& new_shape, int new_dimension,
-                    std::array<std::span<Units const>, 3> const& points,
-                    std::span<std::uint64_t const> key) {
-  shape = new_shape;
-  dimension = new_dimension;
+std::span<std::uint32_t const> CellSort::operator()(GridShape const& shape, int dimension,
+                                                    UnitSpans const& points,
+                                                    std::span<std::uint64_t const> key,
+                                                    CellGrid& grid) {
+  grid.shape = shape;
+  grid.dimension = dimension;
+  auto& start = grid.start;
   std::size_t const count = key.size();
   cell_of_.resize(count);
   for_each_block(count, loop_block, [&](std::size_t begin, std::size_t end) {
@@ -44,30 +46,18 @@ void CellGrid::fill(GridShape const& new_shape, int new_dimension,
   start.assign(shape.size() + 1, 0);
   for (std::uint32_t const cell : cell_of_) ++start[cell + 1];
   for (std::size_t c = 1; c < start.size(); ++c) start[c] += start[c - 1];
-  entry.resize(count + padding);
+  entry_.resize(count);
   for (std::size_t i = 0; i < count; ++i)
-    entry[start[cell_of_[i]]++] = static_cast<std::uint32_t>(i);
+    entry_[start[cell_of_[i]]++] = static_cast<std::uint32_t>(i);
   for (std::size_t c = shape.size(); c > 0; --c) start[c] = start[c - 1];
   start[0] = 0;
 
   for_each_block(shape.size(), loop_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c)
-      std::sort(entry.begin() + start[c], entry.begin() + start[c + 1],
+      std::sort(entry_.begin() + start[c], entry_.begin() + start[c + 1],
                 [&](std::uint32_t a, std::uint32_t b) { return key[a] < key[b]; });
   });
-
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
-    x[axis].resize(count + padding);
-    for_each_block(count, loop_block, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) x[axis][k] = points[axis][entry[k]];
-    });
-  }
-}
-
-std::size_t CellGrid::bytes() const {
-  std::size_t words = start.capacity() + entry.capacity() + cell_of_.capacity();
-  for (auto const& axis : x) words += axis.capacity();
-  return words * 4;
+  return entry_;
 }
 
 }  // namespace moraine

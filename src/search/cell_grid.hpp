@@ -41,27 +41,43 @@ struct GridShape {
   }
 };
 
-/// Points sorted by cell, as plain coordinate arrays that the list builder reads in rows.
+using UnitSpans = std::array<std::span<Units const>, 3>;  // [axis][point]
+
+/// Where the points of each cell stand in a row of points sorted by cell.
 struct CellGrid {
   GridShape shape;
   int dimension = 3;
-  std::vector<std::uint32_t> start;     // [cell]: first entry; one past the last cell at the end
-  std::array<std::vector<Units>, 3> x;  // [axis][entry]
-  std::vector<std::uint32_t> entry;     // [entry]: index of the point as given to `fill`
-
-  /// Sorts points by cell and, inside a cell, by key; returns nothing lost: entry.size() points.
-  /// Arrays are padded by `padding` readable entries beyond the end.
-  void fill(GridShape const& new_shape, int new_dimension,
-            std::array<std::span<Units const>, 3> const& points,
-            std::span<std::uint64_t const> key);
+  std::vector<std::uint32_t> start;  // [cell]: first entry; one past the last cell at the end
 
   std::size_t size() const { return start.empty() ? 0 : start.back(); }
-  std::size_t bytes() const;
+  std::size_t bytes() const { return start.capacity() * sizeof(std::uint32_t); }
+};
+
+/// Points in the order of a grid's entries, as the list builder reads them; a view.
+struct CellPoints {
+  CellGrid const& grid;
+  UnitSpans x;                              // padded by `padding` readable values beyond the end
+  std::span<std::uint32_t const> index{};  // of each entry, padded; empty: entry k is point k
 
   static constexpr std::size_t padding = 16;
+};
+
+/// Sorts points by cell; keeps its working memory between calls.
+class CellSort {
+ public:
+  /// Sorts by cell of `shape` and, inside a cell, by key; sets the grid's shape and starts. Returns
+  /// the index of the point of each entry, valid until the next call.
+  std::span<std::uint32_t const> operator()(GridShape const& shape, int dimension,
+                                            UnitSpans const& points,
+                                            std::span<std::uint64_t const> key, CellGrid& grid);
+
+  std::size_t bytes() const {
+    return (cell_of_.capacity() + entry_.capacity()) * sizeof(std::uint32_t);
+  }
 
  private:
-  std::vector<std::uint32_t> cell_of_;
+  std::vector<std::uint32_t> cell_of_;  // [point]
+  std::vector<std::uint32_t> entry_;    // [entry]
 };
 
 }  // namespace moraine

@@ -22,18 +22,18 @@ std::size_t DisplacementBound::coarse_cell(UnitPoint const& x) const {
   return coarse_.index(c[0], c[1], c[2]);
 }
 
-void DisplacementBound::reset(CellGrid const& fluid, CellGrid const& walls, std::size_t owned,
-                              double radius, bool local,
-                              std::array<std::span<Units const>, 3> const& positions) {
-  dimension_ = fluid.dimension;
+void DisplacementBound::reset(CellPoints const& fluid, CellPoints const& walls, std::size_t owned,
+                              double radius, bool local, UnitSpans const& positions) {
+  dimension_ = fluid.grid.dimension;
+  GridShape const& fine = fluid.grid.shape;
   double const coarse_edge = 1.5 * radius;
   far_limit_ = coarse_edge - radius;
   local_ = local;
   // The same box as the fine grid, in cells that no pair within the radius can skip.
   UnitPoint low{}, high{};
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) {
-    double const extent = fluid.shape.edge * fluid.shape.cells[axis];
-    low[axis] = static_cast<Units>(fluid.shape.origin[axis]);
+    double const extent = fine.edge * fine.cells[axis];
+    low[axis] = static_cast<Units>(fine.origin[axis]);
     high[axis] = static_cast<Units>(std::min(2147483000.0, low[axis] + extent));
   }
   coarse_ = GridShape::over(low, high, dimension_, coarse_edge, std::size_t{1} << 26);
@@ -61,9 +61,9 @@ void DisplacementBound::reset(CellGrid const& fluid, CellGrid const& walls, std:
 }
 
 /// Marks the coarse cells of points and all cells around them.
-void DisplacementBound::mark(CellGrid const& points, std::vector<std::uint8_t>& near) const {
+void DisplacementBound::mark(CellPoints const& points, std::vector<std::uint8_t>& near) const {
   near.assign(coarse_.size(), 0);
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  for (std::size_t k = 0; k < points.grid.size(); ++k) {
     UnitPoint x{};
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
       x[axis] = points.x[axis][k];
@@ -88,7 +88,7 @@ void DisplacementBound::mark(CellGrid const& points, std::vector<std::uint8_t>& 
   }
 }
 
-void DisplacementBound::collect(std::array<std::span<Units const>, 3> const& positions) {
+void DisplacementBound::collect(UnitSpans const& positions) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) {
     own_.low[axis].resize(coarse_.size());
     own_.high[axis].resize(coarse_.size());
@@ -148,7 +148,7 @@ void DisplacementBound::spread_everywhere() {
 }
 
 DisplacementBound::Largest DisplacementBound::largest(
-    std::array<std::span<Units const>, 3> const& positions) {
+    UnitSpans const& positions) {
   collect(positions);
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) {
     around_.low[axis].assign(own_.low[axis].begin(), own_.low[axis].end());

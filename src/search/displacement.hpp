@@ -20,8 +20,8 @@ class DisplacementBound {
   /// Takes the reference positions [axis][point], already sorted along `grid` (entry k is point k
   /// for owned points), and where walls are. radius in units. `local` false: neighbours may lie
   /// across a periodic side, so the bound is taken over all cells.
-  void reset(CellGrid const& fluid, CellGrid const& walls, std::size_t owned, double radius,
-             bool local, std::array<std::span<Units const>, 3> const& positions);
+  void reset(CellPoints const& fluid, CellPoints const& walls, std::size_t owned, double radius,
+             bool local, UnitSpans const& positions);
 
   /// Largest possible relative displacement [units] of two neighbouring points; infinite when
   /// points of cells that do not touch may have come near each other.
@@ -29,7 +29,7 @@ class DisplacementBound {
     double fluid = 0.0;  // two fluid points
     double wall = 0.0;   // a fluid point and a wall point
   };
-  Largest largest(std::array<std::span<Units const>, 3> const& positions);
+  Largest largest(UnitSpans const& positions);
 
   /// False where no wall point, or no fluid point, can be a neighbour of a point here.
   bool near_wall(UnitPoint const& x) const { return near_wall_[coarse_cell(x)] != 0; }
@@ -42,8 +42,8 @@ class DisplacementBound {
     std::array<std::vector<float>, 3> low, high;  // [axis][coarse cell], units
   };
   std::size_t coarse_cell(UnitPoint const& x) const;
-  void collect(std::array<std::span<Units const>, 3> const& positions);
-  void mark(CellGrid const& points, std::vector<std::uint8_t>& near) const;
+  void collect(UnitSpans const& positions);
+  void mark(CellPoints const& points, std::vector<std::uint8_t>& near) const;
   void spread(int axis);
   void spread_everywhere();
   bool moved_far() const;

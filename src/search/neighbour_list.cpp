@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "base/simd_memory.hpp"
 
@@ -70,15 +71,16 @@ std::size_t NeighbourList::bytes() const {
 }
 
 template <int D>
-NeighbourFinder<D>::NeighbourFinder(CellGrid const& grid, double radius)
-    : grid_(grid),
+NeighbourFinder<D>::NeighbourFinder(CellPoints const& points, double radius)
+    : points_(points),
       radius_(radius),
       // Squares are compared in single precision; the margin covers its rounding.
       radius2_(static_cast<float>(radius * radius * (1.0 + 1e-6))) {}
 
 template <int D>
 void NeighbourFinder<D>::gather(std::array<int, 3> const& cell, CandidateCache& cache) const {
-  GridShape const& shape = grid_.shape;
+  GridShape const& shape = points_.grid.shape;
+  auto const& start = points_.grid.start;
   cache.cell = cell;
   cache.valid = true;
   cache.count = 0;
@@ -107,16 +109,20 @@ void NeighbourFinder<D>::gather(std::array<int, 3> const& cell, CandidateCache& 
       if (half2 < 0.0) continue;
       auto const xs = range(0, std::sqrt(half2));
       std::size_t const first = shape.index(0, cy, cz);
-      std::size_t const begin = grid_.start[first + static_cast<std::size_t>(xs[0])];
-      std::size_t const end = grid_.start[first + static_cast<std::size_t>(xs[1]) + 1];
-      std::size_t const needed = cache.count + (end - begin) + CellGrid::padding;
+      std::size_t const begin = start[first + static_cast<std::size_t>(xs[0])];
+      std::size_t const end = start[first + static_cast<std::size_t>(xs[1]) + 1];
+      std::size_t const needed = cache.count + (end - begin) + CellPoints::padding;
       if (cache.index.size() < needed) {
         cache.index.resize(2 * needed);
         for (auto& axis : cache.x) axis.resize(2 * needed);
       }
-      copy_in_vectors(grid_.entry.data() + begin, end - begin, cache.index.data() + cache.count);
+      std::uint32_t* const index = cache.index.data() + cache.count;
+      if (points_.index.empty())
+        std::iota(index, index + (end - begin), static_cast<std::uint32_t>(begin));
+      else
+        copy_in_vectors(points_.index.data() + begin, end - begin, index);
       for (std::size_t axis = 0; axis < D; ++axis)
-        copy_in_vectors(grid_.x[axis].data() + begin, end - begin,
+        copy_in_vectors(points_.x[axis].data() + begin, end - begin,
                         cache.x[axis].data() + cache.count);
       cache.count += end - begin;
     }
@@ -129,10 +135,11 @@ void NeighbourFinder<D>::operator()(UnitPoint const& x, std::uint32_t self, Cand
   constexpr std::size_t width = widest_float < 8 ? 4 : (D == 3 ? widest_float : 8);
   using Float = Simd<float, width>;
   using Int = Simd<std::int32_t, width>;
+  GridShape const& shape = points_.grid.shape;
   std::array<int, 3> cell{};  // not clamped: x may lie outside of the grid
   for (std::size_t axis = 0; axis < D; ++axis)
-    cell[axis] = static_cast<int>(
-        std::floor((x[axis] - grid_.shape.origin[axis]) * grid_.shape.inverse_edge));
+    cell[axis] =
+        static_cast<int>(std::floor((x[axis] - shape.origin[axis]) * shape.inverse_edge));
   if (!cache.valid || cell != cache.cell) gather(cell, cache);
 
   std::uint32_t* const out = buffer.room(cache.count + width);

@@ -108,7 +108,7 @@ class NeighbourList {
   std::size_t lanes_ = 8;
 };
 
-/// Finds the neighbours of points among the entries of a grid.
+/// Finds the neighbours of points among points sorted by cell.
 ///
 /// Points of one cell share their candidates: these are copied side by side once per cell, and each
 /// point then walks one plain array, without rows to look up and without a remainder per row.
@@ -116,7 +116,7 @@ template <int D>
 class NeighbourFinder {
  public:
   /// radius in units.
-  NeighbourFinder(CellGrid const& grid, double radius);
+  NeighbourFinder(CellPoints const& points, double radius);
 
   /// Appends the indices of all points within the radius of x, except `self`. Quick when x lies in
   /// the same cell as in the call before with this cache.
@@ -126,7 +126,7 @@ class NeighbourFinder {
  private:
   void gather(std::array<int, 3> const& cell, CandidateCache& cache) const;
 
-  CellGrid const& grid_;
+  CellPoints points_;
   double radius_;
   float radius2_;
 };

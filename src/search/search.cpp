@@ -28,18 +28,32 @@ Search::Search(SearchSettings const& settings) : settings_(settings) {
   skins_ = {first_skin * settings.support, first_skin * settings.support};
 }
 
+UnitSpans Search::Points::spans() const {
+  UnitSpans spans;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!x[axis].empty()) spans[axis] = {x[axis].data(), owned};
+  return spans;
+}
+
+CellPoints Search::Points::in_cells() const {
+  if (images.empty()) return {grid, spans()};
+  return {grid, {mixed_x[0], mixed_x[1], mixed_x[2]}, mixed_index};
+}
+
 void Search::read_units(ParticleStore const& store, Kind kind) {
   Range const range = store.range(kind);
-  auto& x = points(kind).x;
+  Points& p = points(kind);
+  p.owned = range.size();
   for (int axis = 0; axis < settings_.dimension; ++axis) {
     auto const k = static_cast<std::size_t>(axis);
     auto const position = store.component(Field::position, axis);
-    x[k].resize(range.size());
+    auto& x = p.x[k];
+    x.resize(range.size() + CellPoints::padding);
     double const center = settings_.fixed_point.center[k];
     double const inverse = 1.0 / settings_.fixed_point.scale;
     for_each_block(range.size(), loop_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        x[k][i] = static_cast<Units>(std::lrint((position[range.begin + i] - center) * inverse));
+        x[i] = static_cast<Units>(std::lrint((position[range.begin + i] - center) * inverse));
     });
   }
 }
@@ -92,81 +106,85 @@ void Search::wrap(ParticleStore& store) const {
   }
 }
 
-void Search::fill(ParticleStore const& store, Kind kind, GridShape const& shape) {
+/// A grid over all points of a kind and their images within the reach [units].
+GridShape Search::shape_around(Kind kind, double reach) const {
+  UnitPoint low, high;
+  low.fill(std::numeric_limits<Units>::max());
+  high.fill(std::numeric_limits<Units>::min());
+  UnitSpans const x = points(kind).spans();
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(settings_.dimension); ++axis) {
+    for (Units const value : x[axis]) {
+      low[axis] = std::min(low[axis], value);
+      high[axis] = std::max(high[axis], value);
+    }
+    Periodicity const& sides = settings_.periodicity;
+    if (!sides.periodic[axis]) continue;
+    // Images lie beyond the sides, wherever the points themselves are.
+    auto const upper = static_cast<Units>(sides.low_units[axis] + sides.period_units[axis]);
+    low[axis] = std::min(low[axis], sides.low_units[axis]) - static_cast<Units>(reach);
+    high[axis] = std::max(high[axis], upper) + static_cast<Units>(reach);
+  }
+  // A hair larger than the fraction of the radius, so that rounding never costs a further cell.
+  double const edge = 1.00001 * reach / cells_per_radius + 8.0;
+  std::size_t const all = points(Kind::fluid).owned + points(Kind::wall).owned;
+  return GridShape::over(low, high, settings_.dimension, edge, 4 * all + 4096);
+}
+
+/// Puts the particles of a kind into cell order, in the store and here.
+void Search::sort(ParticleStore& store, Kind kind, double reach) {
   Points& p = points(kind);
   Range const range = store.range(kind);
   auto const id = store.id().subspan(range.begin, range.size());
-  p.key.assign(id.begin(), id.end());
-  p.grid.fill(shape, settings_.dimension, p.spans(), p.key);
+  store.permute(kind, sort_by_cells_(shape_around(kind, reach), settings_.dimension, p.spans(), id,
+                                     p.grid));
+  read_units(store, kind);
 }
 
-void Search::sort(ParticleStore& store, bool walls) {
-  order_.resize(store.size());
-  std::iota(order_.begin(), order_.end(), 0u);
-  for (Kind const kind : {Kind::fluid, Kind::wall}) {
-    if (kind == Kind::wall && !walls) continue;
-    Range const range = store.range(kind);
-    CellGrid& grid = points(kind).grid;
-    for (std::size_t k = 0; k < range.size(); ++k)
-      order_[range.begin + k] = static_cast<std::uint32_t>(range.begin + grid.entry[k]);
-  }
-  store.permute(order_, walls ? store.size() : store.range(Kind::fluid).size());
-}
-
-/// Grids of both kinds, the store in their order, and images. Walls at rest are sorted once.
-void Search::sort_points(ParticleStore& store, double reach) {
-  bool const walls = rebuilds_ == 0;
-  std::size_t const dimension = static_cast<std::size_t>(settings_.dimension);
-  auto const shape = [&](Kind kind) {
-    UnitPoint low, high;
-    low.fill(std::numeric_limits<Units>::max());
-    high.fill(std::numeric_limits<Units>::min());
-    for (std::size_t axis = 0; axis < dimension; ++axis) {
-      for (Units const x : points(kind).x[axis]) {
-        low[axis] = std::min(low[axis], x);
-        high[axis] = std::max(high[axis], x);
-      }
-      Periodicity const& sides = settings_.periodicity;
-      if (!sides.periodic[axis]) continue;
-      // Images lie beyond the sides, wherever the points themselves are.
-      auto const upper = static_cast<Units>(sides.low_units[axis] + sides.period_units[axis]);
-      low[axis] = std::min(low[axis], sides.low_units[axis]) - static_cast<Units>(reach);
-      high[axis] = std::max(high[axis], upper) + static_cast<Units>(reach);
-    }
-    // A hair larger than the fraction of the radius, so that rounding never costs a further cell.
-    double const edge = 1.00001 * reach / cells_per_radius + 8.0;
-    return GridShape::over(low, high, settings_.dimension, edge, 4 * store.size() + 4096);
-  };
-  for (Kind const kind : {Kind::fluid, Kind::wall}) {
-    if ((kind == Kind::wall && !walls) || store.range(kind).size() == 0) continue;
-    read_units(store, kind);
-    fill(store, kind, shape(kind));
-  }
-  sort(store, walls);
-  for (Kind const kind : {Kind::fluid, Kind::wall}) {
-    Points& p = points(kind);
-    bool const images = settings_.periodicity.any();
-    if ((kind == Kind::wall && !walls && !images) || store.range(kind).size() == 0) continue;
-    // The store is in cell order now: entry k is point k, and images come behind.
-    read_units(store, kind);
-    GridShape const grid = p.grid.shape;
-    std::iota(p.grid.entry.begin(), p.grid.entry.end(), 0u);
-    if (!images) continue;
-    fill(store, kind, grid);
-    append_images(settings_.periodicity, settings_.dimension, static_cast<std::int64_t>(reach) + 2,
-                  p.x, p.key, p.images);
-    p.grid.fill(grid, settings_.dimension, p.spans(), p.key);
+/// Makes the images of a kind and sorts them in among its owned points.
+void Search::mix_images(ParticleStore const& store, Kind kind, double reach) {
+  Points& p = points(kind);
+  Range const range = store.range(kind);
+  auto const id = store.id().subspan(range.begin, range.size());
+  auto const dimension = static_cast<std::size_t>(settings_.dimension);
+  std::vector<std::uint64_t> key(id.begin(), id.end());
+  std::array<std::vector<Units>, 3> x;
+  UnitSpans const owned = p.spans();
+  for (std::size_t axis = 0; axis < dimension; ++axis)
+    x[axis].assign(owned[axis].begin(), owned[axis].end());
+  append_images(settings_.periodicity, settings_.dimension, static_cast<std::int64_t>(reach) + 2, x,
+                key, p.images);
+  auto const order = sort_by_cells_(GridShape(p.grid.shape), settings_.dimension,
+                                    {x[0], x[1], x[2]}, key, p.grid);
+  p.mixed_index.assign(order.begin(), order.end());
+  p.mixed_index.resize(order.size() + CellPoints::padding);
+  for (std::size_t axis = 0; axis < dimension; ++axis) {
+    p.mixed_x[axis].resize(order.size() + CellPoints::padding);
+    for (std::size_t k = 0; k < order.size(); ++k) p.mixed_x[axis][k] = x[axis][order[k]];
   }
 }
 
 void Search::rebuild(ParticleStore& store) {
   double const reach =
       (settings_.support + std::max(skins_.fluid, skins_.wall)) / settings_.fixed_point.scale;
-  if (settings_.periodicity.any()) wrap(store);
-  sort_points(store, reach);
-  displacement_.reset(points(Kind::fluid).grid, points(Kind::wall).grid,
-                      store.range(Kind::fluid).size(), reach, !settings_.periodicity.any(),
-                      points(Kind::fluid).spans());
+  bool const periodic = settings_.periodicity.any();
+  if (periodic) wrap(store);
+  for (Kind const kind : {Kind::wall, Kind::fluid}) {
+    if (store.range(kind).size() == 0) continue;
+    bool const first = rebuilds_ == 0;
+    if (kind == Kind::fluid || first) {
+      read_units(store, kind);
+      sort(store, kind, reach);
+    }
+    if (periodic) mix_images(store, kind, reach);
+    // Walls are at rest and sorted once: what that took is given back.
+    if (kind == Kind::wall && first) {
+      store.shrink();
+      sort_by_cells_ = {};
+    }
+  }
+  Points const& fluid = points(Kind::fluid);
+  displacement_.reset(fluid.in_cells(), points(Kind::wall).in_cells(), fluid.owned, reach,
+                      !periodic, fluid.spans());
   if (settings_.dimension == 1) make_lists<1>();
   if (settings_.dimension == 2) make_lists<2>();
   if (settings_.dimension == 3) make_lists<3>();
@@ -189,22 +207,22 @@ void Search::make_lists() {
     for (std::size_t axis = 0; axis < D; ++axis) x[axis] = p.x[axis][i];
     return x;
   };
-  std::size_t const fluids = fluid.key.size() - fluid.images.size();
-  std::size_t const walls = wall.key.size() - wall.images.size();
+  std::size_t const fluids = fluid.owned;
+  std::size_t const walls = wall.owned;
 
-  NeighbourFinder<D> const near_fluid(fluid.grid, fluid_radius);
+  NeighbourFinder<D> const near_fluid(fluid.in_cells(), fluid_radius);
   fluid_fluid_.build(fluids, lanes, unsorted,
                      [&](std::size_t i, CandidateCache& cache, IndexBuffer& buffer) {
                        near_fluid(at(fluid, i), static_cast<std::uint32_t>(i), cache, buffer);
                      });
-  NeighbourFinder<D> const near_wall(wall.grid, wall_radius);
+  NeighbourFinder<D> const near_wall(wall.in_cells(), wall_radius);
   fluid_wall_.build(fluids, lanes, unsorted,
                     [&](std::size_t i, CandidateCache& cache, IndexBuffer& buffer) {
                       UnitPoint const x = at(fluid, i);
                       if (walls > 0 && displacement_.near_wall(x))
                         near_wall(x, nobody, cache, buffer);
                     });
-  NeighbourFinder<D> const wall_near_fluid(fluid.grid, wall_radius);
+  NeighbourFinder<D> const wall_near_fluid(fluid.in_cells(), wall_radius);
   wall_fluid_.build(walls, lanes, unsorted,
                     [&](std::size_t i, CandidateCache& cache, IndexBuffer& buffer) {
                       UnitPoint const x = at(wall, i);
@@ -217,12 +235,13 @@ void Search::make_lists() {
 
 std::size_t Search::bytes() const {
   std::size_t sum = fluid_fluid_.bytes() + fluid_wall_.bytes() + wall_fluid_.bytes() +
-                    displacement_.bytes() +
-                    (order_.capacity() + wet_walls_.capacity()) * sizeof(std::uint32_t);
+                    displacement_.bytes() + sort_by_cells_.bytes() +
+                    wet_walls_.capacity() * sizeof(std::uint32_t);
   for (Points const& p : points_) {
-    sum += p.grid.bytes() + p.key.capacity() * sizeof(std::uint64_t) +
-           p.images.capacity() * sizeof(Image);
-    for (auto const& axis : p.x) sum += axis.capacity() * sizeof(Units);
+    sum += p.grid.bytes() + p.images.capacity() * sizeof(Image) +
+           p.mixed_index.capacity() * sizeof(std::uint32_t);
+    for (auto const* arrays : {&p.x, &p.mixed_x})
+      for (auto const& axis : *arrays) sum += axis.capacity() * sizeof(Units);
   }
   return sum;
 }

@@ -55,20 +55,25 @@ class Search {
 
  private:
   struct Points {
-    std::array<std::vector<Units>, 3> x;  // owned, then images
-    std::vector<std::uint64_t> key;
-    std::vector<Image> images;
+    std::size_t owned = 0;
+    std::array<std::vector<Units>, 3> x;  // of the owned points, in cell order after a rebuild
     CellGrid grid;
-    std::array<std::span<Units const>, 3> spans() const { return {x[0], x[1], x[2]}; }
+    // With periodic sides only: images, and owned points and images together in cell order.
+    std::vector<Image> images;
+    std::array<std::vector<Units>, 3> mixed_x;
+    std::vector<std::uint32_t> mixed_index;
+
+    UnitSpans spans() const;
+    CellPoints in_cells() const;
   };
   Points const& points(Kind kind) const { return points_[static_cast<std::size_t>(kind)]; }
   Points& points(Kind kind) { return points_[static_cast<std::size_t>(kind)]; }
 
   void read_units(ParticleStore const& store, Kind kind);
   void wrap(ParticleStore& store) const;
-  void fill(ParticleStore const& store, Kind kind, GridShape const& shape);
-  void sort(ParticleStore& store, bool walls);
-  void sort_points(ParticleStore& store, double reach);
+  GridShape shape_around(Kind kind, double reach) const;
+  void sort(ParticleStore& store, Kind kind, double reach);
+  void mix_images(ParticleStore const& store, Kind kind, double reach);
   void choose_skins();
   void rebuild(ParticleStore& store);
   template <int D>
@@ -80,7 +85,7 @@ class Search {
   DisplacementBound displacement_;
   DisplacementBound::Largest seen_;
   Skins skins_;
-  std::vector<std::uint32_t> order_;
+  CellSort sort_by_cells_;
   std::vector<std::uint32_t> wet_walls_;
   std::uint64_t steps_since_rebuild_ = 0;
   std::uint64_t rebuilds_ = 0;

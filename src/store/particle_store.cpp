@@ -1,5 +1,8 @@
 #include "store/particle_store.hpp"
 
+#include <cstring>
+#include <type_traits>
+
 #include "base/parallel_for.hpp"
 
 namespace moraine {
@@ -9,17 +12,18 @@ std::size_t slot(Field field, int axis) {
   return static_cast<std::size_t>(field) * 3 + static_cast<std::size_t>(axis);
 }
 
+/// values[k] = values[order[k]], by way of a scratch array that arrays of all types share.
 template <class T>
-void reorder(std::vector<T>& values, std::vector<T>& scratch,
+void reorder(std::span<T> values, std::vector<std::uint64_t>& scratch,
              std::span<std::uint32_t const> order) {
-  std::size_t const count = std::min(values.size(), order.size());
-  scratch.resize(values.size());
-  for_each_block(count, loop_block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) scratch[i] = values[order[i]];
+  static_assert(sizeof(T) <= sizeof(std::uint64_t) && std::is_trivially_copyable_v<T>);
+  for_each_block(order.size(), loop_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      std::memcpy(&scratch[k], &values[order[k]], sizeof(T));
   });
-  std::copy(values.begin() + static_cast<std::ptrdiff_t>(count), values.end(),
-            scratch.begin() + static_cast<std::ptrdiff_t>(count));
-  values.swap(scratch);
+  for_each_block(order.size(), loop_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) std::memcpy(&values[k], &scratch[k], sizeof(T));
+  });
 }
 
 template <class T>
@@ -66,15 +70,14 @@ std::size_t ParticleStore::append(Kind kind, MaterialId material) {
   return size() - 1;
 }
 
-void ParticleStore::permute(std::span<std::uint32_t const> all, std::size_t count) {
-  auto const order = all.first(count);
-  // One scratch array per length, so that swapping never leaves a shorter one behind.
-  for (FieldInfo const& field : field_table)
-    for (int axis = 0; axis < 3; ++axis)
-      if (auto& values = array(field.field, axis); !values.empty())
-        reorder(values, field.on_walls ? scratch_all_ : scratch_fluid_, order);
-  reorder(id_, scratch_id_, order);
-  reorder(material_, scratch_material_, order);
+void ParticleStore::permute(Kind kind, std::span<std::uint32_t const> order) {
+  Range const of = range(kind);
+  scratch_.resize(of.size());
+  for (auto& values : arrays_)
+    if (values.size() >= of.end && !values.empty())
+      reorder(std::span(values).subspan(of.begin, of.size()), scratch_, order);
+  reorder(std::span(id_).subspan(of.begin, of.size()), scratch_, order);
+  reorder(std::span(material_).subspan(of.begin, of.size()), scratch_, order);
 }
 
 void ParticleStore::remove(std::span<std::uint32_t const> indices) {
@@ -88,13 +91,13 @@ void ParticleStore::shrink() {
   for (auto& values : arrays_) values.shrink_to_fit();
   id_.shrink_to_fit();
   material_.shrink_to_fit();
+  std::vector<std::uint64_t>().swap(scratch_);
 }
 
 std::size_t ParticleStore::bytes() const {
-  std::size_t sum = (scratch_all_.capacity() + scratch_fluid_.capacity()) * sizeof(double);
+  std::size_t sum = (id_.capacity() + scratch_.capacity()) * sizeof(std::uint64_t);
   for (auto const& values : arrays_) sum += values.capacity() * sizeof(double);
-  sum += (id_.capacity() + scratch_id_.capacity()) * sizeof(std::uint64_t);
-  return sum + (material_.capacity() + scratch_material_.capacity()) * sizeof(MaterialId);
+  return sum + material_.capacity() * sizeof(MaterialId);
 }
 
 }  // namespace moraine

@@ -49,14 +49,14 @@ class ParticleStore {
   /// Fluid particles must be appended before wall particles.
   std::size_t append(Kind kind, MaterialId material);
 
-  /// New order of the first `count` particles: particle k of the result was particle order[k].
-  /// Kinds must stay in their ranges; count is that of the fluid or of all particles.
-  void permute(std::span<std::uint32_t const> order, std::size_t count);
+  /// New order of the particles of a kind, both counted from its first: particle k of the result
+  /// was particle order[k].
+  void permute(Kind kind, std::span<std::uint32_t const> order);
 
   /// Removes the particles with these ascending indices.
   void remove(std::span<std::uint32_t const> indices);
 
-  /// Gives back what growing particle by particle has reserved too much.
+  /// Gives back what growing particle by particle has reserved too much, and working memory.
   void shrink();
 
   /// Memory held by all arrays, in bytes.
@@ -71,10 +71,7 @@ class ParticleStore {
   std::vector<std::uint64_t> id_;
   std::vector<MaterialId> material_;
   std::uint64_t next_id_ = 0;
-  std::vector<double> scratch_all_;  // for permute
-  std::vector<double> scratch_fluid_;
-  std::vector<std::uint64_t> scratch_id_;
-  std::vector<MaterialId> scratch_material_;
+  std::vector<std::uint64_t> scratch_;  // for permute: one array of any type at a time
 };
 
 }  // namespace moraine
