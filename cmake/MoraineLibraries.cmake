@@ -1,7 +1,6 @@
 # moraine_libraries: everything we use of others. On Debian, tools/install_packages.sh installs it.
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(fmt REQUIRED)
-find_package(spdlog REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(pugixml REQUIRED)
@@ -17,5 +16,5 @@ add_library(moraine_libraries INTERFACE)
 target_include_directories(moraine_libraries SYSTEM INTERFACE
   "${UDUNITS2_INCLUDE_DIR}" "${CLI11_INCLUDE_DIR}")
 target_link_libraries(moraine_libraries INTERFACE
-  OpenMP::OpenMP_CXX fmt::fmt spdlog::spdlog tomlplusplus::tomlplusplus
+  OpenMP::OpenMP_CXX fmt::fmt tomlplusplus::tomlplusplus
   nlohmann_json::nlohmann_json pugixml::pugixml PkgConfig::CAIRO "${UDUNITS2_LIBRARY}")
