@@ -7,6 +7,9 @@ find_package(pugixml REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
 
+pkg_search_module(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial hdf5)
+pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
+
 # UDUNITS-2 ships no CMake package, and CLI11 is only headers.
 find_path(UDUNITS2_INCLUDE_DIR udunits2.h PATH_SUFFIXES udunits2 REQUIRED)
 find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
@@ -17,4 +20,4 @@ target_include_directories(moraine_libraries SYSTEM INTERFACE
   "${UDUNITS2_INCLUDE_DIR}" "${CLI11_INCLUDE_DIR}")
 target_link_libraries(moraine_libraries INTERFACE
   OpenMP::OpenMP_CXX fmt::fmt tomlplusplus::tomlplusplus
-  nlohmann_json::nlohmann_json pugixml::pugixml PkgConfig::CAIRO "${UDUNITS2_LIBRARY}")
+  nlohmann_json::nlohmann_json pugixml::pugixml PkgConfig::CAIRO PkgConfig::XXHASH PkgConfig::HDF5 "${UDUNITS2_LIBRARY}")

@@ -1,5 +1,8 @@
 #include "output/atomic_file.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
@@ -13,7 +16,31 @@ namespace {
   throw std::runtime_error(std::string(what) + " '" + path.string() + "': " + std::strerror(errno));
 }
 
+void rename_to(std::filesystem::path const& from, std::filesystem::path const& to) {
+  std::error_code error;
+  std::filesystem::rename(from, to, error);
+  if (error)
+    throw std::runtime_error("cannot rename '" + from.string() + "' to '" + to.string() +
+                             "': " + error.message());
+}
+
 }  // namespace
+
+void sync_to_disk(std::filesystem::path const& path) {
+  int const file = ::open(path.c_str(), O_RDONLY);
+  if (file < 0) fail("cannot open", path);
+  bool const good = ::fsync(file) == 0;
+  int const error = errno;
+  ::close(file);
+  errno = error;
+  if (!good) fail("cannot hand to the disk", path);
+}
+
+void publish(std::filesystem::path const& temporary, std::filesystem::path const& path) {
+  sync_to_disk(temporary);
+  rename_to(temporary, path);
+  sync_to_disk(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."));
+}
 
 AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)), temporary_(path_) {
   temporary_ += ".tmp";
@@ -33,11 +60,7 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::commit() {
   stream_.close();
   if (!stream_) fail("cannot finish writing", temporary_);
-  std::error_code error;
-  std::filesystem::rename(temporary_, path_, error);
-  if (error)
-    throw std::runtime_error("cannot rename '" + temporary_.string() + "' to '" + path_.string() +
-                             "': " + error.message());
+  rename_to(temporary_, path_);
   committed_ = true;
 }
 

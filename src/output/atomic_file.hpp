@@ -1,4 +1,4 @@
-// A file that appears complete or not at all.
+// Files that appear complete or not at all.
 #pragma once
 
 #include <filesystem>
@@ -6,6 +6,14 @@
 #include <ostream>
 
 namespace moraine {
+
+/// Waits until a file's content, or a folder's list of files, is on the disk (fsync). Throws
+/// std::runtime_error naming the path.
+void sync_to_disk(std::filesystem::path const& path);
+
+/// Renames a finished file so that after a loss of power there is the old file or the whole new
+/// one: content first, then name, then folder are handed to the disk. Throws std::runtime_error.
+void publish(std::filesystem::path const& temporary, std::filesystem::path const& path);
 
 /// Writes to `<path>.tmp` and renames it to `path` on commit, so that a reader (or a killed run)
 /// never meets half a file. Missing parent folders are made. Without commit the temporary file is

@@ -56,7 +56,7 @@ struct CellGrid {
 /// Points in the order of a grid's entries, as the list builder reads them; a view.
 struct CellPoints {
   CellGrid const& grid;
-  UnitSpans x;                              // padded by `padding` readable values beyond the end
+  UnitSpans x;                             // padded by `padding` readable values beyond the end
   std::span<std::uint32_t const> index{};  // of each entry, padded; empty: entry k is point k
 
   static constexpr std::size_t padding = 16;

@@ -147,8 +147,7 @@ void DisplacementBound::spread_everywhere() {
   }
 }
 
-DisplacementBound::Largest DisplacementBound::largest(
-    UnitSpans const& positions) {
+DisplacementBound::Largest DisplacementBound::largest(UnitSpans const& positions) {
   collect(positions);
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) {
     around_.low[axis].assign(own_.low[axis].begin(), own_.low[axis].end());

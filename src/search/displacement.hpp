@@ -31,6 +31,9 @@ class DisplacementBound {
   };
   Largest largest(UnitSpans const& positions);
 
+  /// Reference positions along one axis, in the order of the points.
+  std::span<Units const> reference(std::size_t axis) const { return reference_[axis]; }
+
   /// False where no wall point, or no fluid point, can be a neighbour of a point here.
   bool near_wall(UnitPoint const& x) const { return near_wall_[coarse_cell(x)] != 0; }
   bool near_fluid(UnitPoint const& x) const { return near_fluid_[coarse_cell(x)] != 0; }

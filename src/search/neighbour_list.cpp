@@ -138,8 +138,7 @@ void NeighbourFinder<D>::operator()(UnitPoint const& x, std::uint32_t self, Cand
   GridShape const& shape = points_.grid.shape;
   std::array<int, 3> cell{};  // not clamped: x may lie outside of the grid
   for (std::size_t axis = 0; axis < D; ++axis)
-    cell[axis] =
-        static_cast<int>(std::floor((x[axis] - shape.origin[axis]) * shape.inverse_edge));
+    cell[axis] = static_cast<int>(std::floor((x[axis] - shape.origin[axis]) * shape.inverse_edge));
   if (!cache.valid || cell != cache.cell) gather(cell, cache);
 
   std::uint32_t* const out = buffer.room(cache.count + width);

@@ -1,9 +1,11 @@
 #include "search/search.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <stdexcept>
 
 #include "base/parallel_for.hpp"
 
@@ -130,18 +132,23 @@ GridShape Search::shape_around(Kind kind, double reach) const {
   return GridShape::over(low, high, settings_.dimension, edge, 4 * all + 4096);
 }
 
-/// Puts the particles of a kind into cell order, in the store and here.
-void Search::sort(ParticleStore& store, Kind kind, double reach) {
+/// The order of a kind's particles by cells and ids; makes the grid.
+std::span<std::uint32_t const> Search::cell_order(ParticleStore const& store, Kind kind,
+                                                  double reach) {
   Points& p = points(kind);
   Range const range = store.range(kind);
   auto const id = store.id().subspan(range.begin, range.size());
-  store.permute(kind, sort_by_cells_(shape_around(kind, reach), settings_.dimension, p.spans(), id,
-                                     p.grid));
+  return sort_by_cells_(shape_around(kind, reach), settings_.dimension, p.spans(), id, p.grid);
+}
+
+/// Puts the particles of a kind into cell order, in the store and here.
+void Search::sort(ParticleStore& store, Kind kind, double reach) {
+  store.permute(kind, cell_order(store, kind, reach));
   read_units(store, kind);
 }
 
 /// Makes the images of a kind and sorts them in among its owned points.
-void Search::mix_images(ParticleStore const& store, Kind kind, double reach) {
+void Search::mix_images(ParticleStore const& store, Kind kind) {
   Points& p = points(kind);
   Range const range = store.range(kind);
   auto const id = store.id().subspan(range.begin, range.size());
@@ -151,10 +158,10 @@ void Search::mix_images(ParticleStore const& store, Kind kind, double reach) {
   UnitSpans const owned = p.spans();
   for (std::size_t axis = 0; axis < dimension; ++axis)
     x[axis].assign(owned[axis].begin(), owned[axis].end());
-  append_images(settings_.periodicity, settings_.dimension, static_cast<std::int64_t>(reach) + 2, x,
-                key, p.images);
-  auto const order = sort_by_cells_(GridShape(p.grid.shape), settings_.dimension,
-                                    {x[0], x[1], x[2]}, key, p.grid);
+  append_images(settings_.periodicity, settings_.dimension, static_cast<std::int64_t>(reach()) + 2,
+                x, key, p.images);
+  auto const order =
+      sort_by_cells_(GridShape(p.grid.shape), settings_.dimension, {x[0], x[1], x[2]}, key, p.grid);
   p.mixed_index.assign(order.begin(), order.end());
   p.mixed_index.resize(order.size() + CellPoints::padding);
   for (std::size_t axis = 0; axis < dimension; ++axis) {
@@ -163,37 +170,75 @@ void Search::mix_images(ParticleStore const& store, Kind kind, double reach) {
   }
 }
 
+double Search::reach() const {
+  return (settings_.support + std::max(skins_.fluid, skins_.wall)) / settings_.fixed_point.scale;
+}
+
 void Search::rebuild(ParticleStore& store) {
-  double const reach =
-      (settings_.support + std::max(skins_.fluid, skins_.wall)) / settings_.fixed_point.scale;
-  bool const periodic = settings_.periodicity.any();
-  if (periodic) wrap(store);
-  for (Kind const kind : {Kind::wall, Kind::fluid}) {
-    if (store.range(kind).size() == 0) continue;
-    bool const first = rebuilds_ == 0;
-    if (kind == Kind::fluid || first) {
-      read_units(store, kind);
-      sort(store, kind, reach);
-    }
-    if (periodic) mix_images(store, kind, reach);
-    // Walls are at rest and sorted once: what that took is given back.
-    if (kind == Kind::wall && first) {
-      store.shrink();
-      sort_by_cells_ = {};
-    }
+  if (settings_.periodicity.any()) wrap(store);
+  if (rebuilds_ == 0) {
+    wall_reach_ = reach();
+    sort_walls(store);
   }
-  Points const& fluid = points(Kind::fluid);
-  displacement_.reset(fluid.in_cells(), points(Kind::wall).in_cells(), fluid.owned, reach,
-                      !periodic, fluid.spans());
-  if (settings_.dimension == 1) make_lists<1>();
-  if (settings_.dimension == 2) make_lists<2>();
-  if (settings_.dimension == 3) make_lists<3>();
+  read_units(store, Kind::fluid);
+  sort(store, Kind::fluid, reach());
+  make_lists(store);
   steps_since_rebuild_ = 0;
   ++rebuilds_;
 }
 
+/// Walls are at rest and sorted once; what that took is given back.
+void Search::sort_walls(ParticleStore& store) {
+  if (store.range(Kind::wall).size() == 0) return;
+  read_units(store, Kind::wall);
+  sort(store, Kind::wall, wall_reach_);
+  store.shrink();
+  sort_by_cells_ = {};
+}
+
+/// Lists and their validity from points in cell order.
+void Search::make_lists(ParticleStore const& store) {
+  bool const periodic = settings_.periodicity.any();
+  for (Kind const kind : {Kind::wall, Kind::fluid})
+    if (periodic && store.range(kind).size() > 0) mix_images(store, kind);
+  Points const& fluid = points(Kind::fluid);
+  displacement_.reset(fluid.in_cells(), points(Kind::wall).in_cells(), fluid.owned, reach(),
+                      !periodic, fluid.spans());
+  if (settings_.dimension == 1) collect_neighbours<1>();
+  if (settings_.dimension == 2) collect_neighbours<2>();
+  if (settings_.dimension == 3) collect_neighbours<3>();
+}
+
+void Search::exchange(Archive& archive, ParticleStore& store) {
+  archive.number("search/fluid_skin", skins_.fluid);
+  archive.number("search/wall_skin", skins_.wall);
+  archive.number("search/wall_reach", wall_reach_);
+  archive.number("search/fluid_motion_seen", seen_.fluid);
+  archive.number("search/wall_motion_seen", seen_.wall);
+  archive.number("search/steps_since_rebuild", steps_since_rebuild_);
+  archive.number("search/rebuilds", rebuilds_);
+  Points& fluid = points(Kind::fluid);
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(settings_.dimension); ++axis) {
+    auto const reference = displacement_.reference(axis);
+    std::vector<Units> units(reference.begin(), reference.end());
+    archive.array(fmt::format("search/listed_at_{}", "xyz"[axis]), "", units);
+    if (!archive.restoring()) continue;
+    if (units.size() != store.range(Kind::fluid).size())
+      throw std::runtime_error("search and particles do not belong together");
+    units.resize(units.size() + CellPoints::padding);
+    fluid.owned = store.range(Kind::fluid).size();
+    fluid.x[axis] = std::move(units);
+  }
+  if (!archive.restoring()) return;
+  sort_walls(store);
+  auto const order = cell_order(store, Kind::fluid, reach());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    if (order[k] != k) throw std::runtime_error("the particles are not in the order of the search");
+  make_lists(store);
+}
+
 template <int D>
-void Search::make_lists() {
+void Search::collect_neighbours() {
   Points const& fluid = points(Kind::fluid);
   Points const& wall = points(Kind::wall);
   double const scale = settings_.fixed_point.scale;

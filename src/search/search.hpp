@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "search/cell_grid.hpp"
 #include "search/displacement.hpp"
 #include "search/fixed_point.hpp"
@@ -42,6 +43,11 @@ class Search {
   /// which case the store has been re-sorted.
   bool refresh(ParticleStore& store);
 
+  /// Saves or restores what the lists are a function of: where the points were when the lists were
+  /// made, and how far they reach. Restoring needs the store restored before, and makes the same
+  /// lists again.
+  void exchange(Archive& archive, ParticleStore& store);
+
   NeighbourList const& fluid_fluid() const { return fluid_fluid_; }
   NeighbourList const& fluid_wall() const { return fluid_wall_; }
   NeighbourList const& wall_fluid() const { return wall_fluid_; }
@@ -71,13 +77,17 @@ class Search {
 
   void read_units(ParticleStore const& store, Kind kind);
   void wrap(ParticleStore& store) const;
+  double reach() const;  // units, of the lists
   GridShape shape_around(Kind kind, double reach) const;
+  std::span<std::uint32_t const> cell_order(ParticleStore const& store, Kind kind, double reach);
   void sort(ParticleStore& store, Kind kind, double reach);
-  void mix_images(ParticleStore const& store, Kind kind, double reach);
+  void sort_walls(ParticleStore& store);
+  void mix_images(ParticleStore const& store, Kind kind);
   void choose_skins();
   void rebuild(ParticleStore& store);
+  void make_lists(ParticleStore const& store);
   template <int D>
-  void make_lists();
+  void collect_neighbours();
 
   SearchSettings settings_;
   std::array<Points, kind_count> points_;
@@ -86,6 +96,7 @@ class Search {
   DisplacementBound::Largest seen_;
   Skins skins_;
   CellSort sort_by_cells_;
+  double wall_reach_ = 0.0;  // units, when the walls were sorted
   std::vector<std::uint32_t> wet_walls_;
   std::uint64_t steps_since_rebuild_ = 0;
   std::uint64_t rebuilds_ = 0;

@@ -1,5 +1,7 @@
 #include "step/simulation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,7 +31,7 @@ constexpr std::array action_table{
 
 std::span<Simulation::ActionInfo const> Simulation::actions() { return action_table; }
 
-Simulation::Simulation(Model model)
+Simulation::Simulation(Model model, Unstarted)
     : model_(std::move(model)),
       search_(search_settings(model_)),
       pairs_(make_pair_backend(model_.dimension, model_.flavour(), model_.numerics.kernel,
@@ -43,10 +45,36 @@ Simulation::Simulation(Model model)
   for (std::size_t k = 0; k < runs.size(); ++k)
     sequence_.push_back({action_table[k], runs[k], timers_.add(action_table[k].label)});
   model_.particles.shrink();
+}
+
+Simulation::Simulation(Model model) : Simulation(std::move(model), Unstarted{}) {
   // Rates at the start: the second half of a step, with a step length of zero.
   vote_.time_step = 0.0;
   run_actions(3);
   half_step_factor_ = 1.0;
+}
+
+Simulation::Simulation(Model model, Archive& saved) : Simulation(std::move(model), Unstarted{}) {
+  exchange(saved);
+  sort_by_material();
+  half_step_factor_ = 1.0;
+}
+
+void Simulation::save(Archive& archive) { exchange(archive); }
+
+void Simulation::exchange(Archive& archive) {
+  archive.number("time", time_);
+  archive.number("step", step_);
+  archive.number("time_step/last", vote_.time_step);
+  archive.number("time_step/acceleration_limit", acceleration_vote_.time_step);
+  archive.number("time_step/signal_speed", swept_.signal_speed);
+  archive.number("lost/count", lost_.count);
+  archive.number("lost/mass", lost_.mass);
+  archive.number("lost/energy", lost_.energy);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    archive.number(fmt::format("wall_impulse_{}", "xyz"[axis]), wall_impulse_[axis]);
+  model_.particles.exchange(archive);
+  search_.exchange(archive, model_.particles);
 }
 
 void Simulation::run_actions(std::size_t first) {

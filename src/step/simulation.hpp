@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/timer.hpp"
 #include "search/search.hpp"
 #include "step/model.hpp"
@@ -44,6 +45,13 @@ class Simulation {
  public:
   explicit Simulation(Model model);
 
+  /// A run that goes on from a saved state of the same model: bit for bit as if it had not stopped.
+  /// Throws std::runtime_error when the state does not belong to the model.
+  Simulation(Model model, Archive& saved);
+
+  /// Saves the whole state, between two steps.
+  void save(Archive& archive);
+
   bool running() const { return time_ < model_.time.end; }
 
   /// One step; throws SimulationError when a particle's state stops being a number or its equation
@@ -78,6 +86,9 @@ class Simulation {
     void (Simulation::*run)();
     int timer;
   };
+  struct Unstarted {};
+  Simulation(Model model, Unstarted);
+  void exchange(Archive& archive);
   void run_actions(std::size_t first);
 
   void choose_time_step();

@@ -1,6 +1,9 @@
 #include "store/particle_store.hpp"
 
+#include <fmt/format.h>
+
 #include <cstring>
+#include <stdexcept>
 #include <type_traits>
 
 #include "base/parallel_for.hpp"
@@ -92,6 +95,37 @@ void ParticleStore::shrink() {
   id_.shrink_to_fit();
   material_.shrink_to_fit();
   std::vector<std::uint64_t>().swap(scratch_);
+}
+
+void ParticleStore::exchange(Archive& archive) {
+  constexpr std::array kind_names{"fluid", "wall"};
+  for (std::size_t k = 0; k < kind_count; ++k) {
+    std::uint64_t size = kind_size_[k];
+    archive.number(fmt::format("particles/{}_count", kind_names[k]), size);
+    kind_size_[k] = size;
+  }
+  archive.number("particles/next_id", next_id_);
+  archive.array("particles/id", "", id_);
+  archive.array("particles/material", "", material_);
+  for (FieldInfo const& field : field_table)
+    for (int axis = 0; axis < (field.rank == Rank::vector ? dimension_ : 1); ++axis)
+      exchange_field(archive, field, axis);
+  if (id_.size() != kind_size_[0] + kind_size_[1] || material_.size() != id_.size())
+    throw std::runtime_error("numbers of particles, ids and materials do not agree");
+}
+
+void ParticleStore::exchange_field(Archive& archive, FieldInfo const& field, int axis) {
+  auto& values = array(field.field, axis);
+  std::size_t const size = field.on_walls ? kind_size_[0] + kind_size_[1] : kind_size_[0];
+  if (!field.saved) {
+    if (archive.restoring()) values.assign(size, 0.0);
+    return;
+  }
+  std::string const component =
+      field.rank == Rank::vector ? fmt::format("_{}", "xyz"[axis]) : std::string();
+  archive.array(fmt::format("particles/{}{}", field.name, component), field.unit, values);
+  if (values.size() != size)
+    throw std::runtime_error(fmt::format("{} does not have one value per particle", field.name));
 }
 
 std::size_t ParticleStore::bytes() const {

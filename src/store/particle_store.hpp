@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "store/field.hpp"
 
 namespace moraine {
@@ -59,11 +60,16 @@ class ParticleStore {
   /// Gives back what growing particle by particle has reserved too much, and working memory.
   void shrink();
 
+  /// Saves or restores all particles in their present order, with the fields marked `saved`; other
+  /// fields are zero after restoring.
+  void exchange(Archive& archive);
+
   /// Memory held by all arrays, in bytes.
   std::size_t bytes() const;
 
  private:
   std::vector<double>& array(Field field, int axis);
+  void exchange_field(Archive& archive, FieldInfo const& field, int axis);
 
   int dimension_;
   std::array<std::size_t, kind_count> kind_size_{};

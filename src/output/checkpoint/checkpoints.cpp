@@ -1,0 +1,72 @@
+#include "output/checkpoint/checkpoints.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+#include <system_error>
+
+#include "output/atomic_file.hpp"
+#include "output/checkpoint/seal.hpp"
+
+namespace moraine {
+namespace {
+
+constexpr std::size_t kept = 2;
+
+bool is_ours(std::string const& name) {
+  return name.starts_with("step_") && (name.ends_with(".h5") || name.ends_with(".h5.tmp"));
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> Checkpoints::files() const {
+  std::vector<std::filesystem::path> found;
+  std::error_code none;
+  for (auto const& entry : std::filesystem::directory_iterator(folder_, none)) {
+    std::string const name = entry.path().filename().string();
+    if (is_ours(name) && name.ends_with(".h5")) found.push_back(entry.path());
+  }
+  // Steps have twelve digits, so the order of the names is that of the steps.
+  std::sort(found.begin(), found.end(), std::greater<>());
+  return found;
+}
+
+void Checkpoints::save(std::uint64_t step, Exchange const& exchange) {
+  std::filesystem::path const path = folder_ / fmt::format("step_{:012}.h5", step);
+  std::filesystem::path temporary = path;
+  temporary += ".tmp";
+  try {
+    std::filesystem::create_directories(folder_);
+    save_hdf5(temporary, exchange);
+    seal(temporary);
+    publish(temporary, path);
+  } catch (std::exception const& error) {
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    throw std::runtime_error(fmt::format("no checkpoint of step {}: {}", step, error.what()));
+  }
+  auto const all = files();
+  for (std::size_t k = kept; k < all.size(); ++k) std::filesystem::remove(all[k]);
+}
+
+std::optional<std::filesystem::path> Checkpoints::newest(std::vector<std::string>& skipped) const {
+  for (auto const& file : files()) {
+    std::string const why = broken_seal(file);
+    if (why.empty()) return file;
+    skipped.push_back(fmt::format("{} {}", file.string(), why));
+  }
+  return std::nullopt;
+}
+
+void Checkpoints::forget(std::optional<std::filesystem::path> const& except) const {
+  std::vector<std::filesystem::path> old;
+  std::error_code none;
+  for (auto const& entry : std::filesystem::directory_iterator(folder_, none))
+    if (is_ours(entry.path().filename().string()) && entry.path() != except)
+      old.push_back(entry.path());
+  for (auto const& file : old) std::filesystem::remove(file);
+}
+
+}  // namespace moraine

@@ -1,0 +1,18 @@
+// A seal on a file: a checksum in front that shows any change of any byte.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace moraine {
+
+/// Writes the seal into the first seal_size bytes of a file, which its own format leaves free: a
+/// line of text with the length of the file and the 128-bit XXH3 checksum of the rest, padded with
+/// blanks. Then hands the file to the disk (fsync). Throws std::runtime_error on failure.
+void seal(std::filesystem::path const& path);
+
+/// Why a file cannot be trusted: not there, no seal, another length, another checksum. Empty when
+/// every byte is as it was sealed.
+std::string broken_seal(std::filesystem::path const& path);
+
+}  // namespace moraine

@@ -1,0 +1,83 @@
+// A run that goes on from a saved state gives the same bits as one that never stopped.
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <bit>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "output/checkpoint/hdf5_archive.hpp"
+#include "setup/build_model.hpp"
+#include "setup/read_case.hpp"
+#include "support/small_models.hpp"
+
+namespace moraine {
+namespace {
+
+std::vector<std::uint64_t> bits(Simulation const& simulation) {
+  std::vector<double> numbers = state_by_id(simulation.particles());
+  numbers.push_back(simulation.time());
+  for (double const value : simulation.sums().wall_impulse) numbers.push_back(value);
+  std::vector<std::uint64_t> found;
+  for (double const value : numbers) found.push_back(std::bit_cast<std::uint64_t>(value));
+  return found;
+}
+
+void advance(Simulation& simulation, int steps, int threads) {
+  int const before = omp_get_max_threads();
+  omp_set_num_threads(threads);
+  for (int step = 0; step < steps; ++step) simulation.advance();
+  omp_set_num_threads(before);
+}
+
+class Resume : public testing::TestWithParam<std::string> {
+ protected:
+  Model model() const {
+    return build_model(
+        read_case(std::string(MORAINE_SOURCE_DIR "/cases/") + GetParam() + "/case.toml"));
+  }
+  std::unique_ptr<Simulation> saved_and_restored(Simulation& simulation) const {
+    auto const path =
+        std::filesystem::temp_directory_path() / ("moraine_resume_" + GetParam() + ".h5");
+    save_hdf5(path, [&](Archive& archive) { simulation.save(archive); });
+    std::unique_ptr<Simulation> restored;
+    restore_hdf5(
+        path, [&](Archive& archive) { restored = std::make_unique<Simulation>(model(), archive); });
+    std::filesystem::remove(path);
+    return restored;
+  }
+};
+
+// The moments are odd: shortly after a rebuild of the lists, just before one, and in between; the
+// second half runs with another number of threads.
+TEST_P(Resume, GivesTheSameBits) {
+  Simulation straight(model());
+  advance(straight, straight.model().dimension == 3 ? 60 : 150, 2);
+  auto const before = straight.search().rebuilds();
+  auto resumed = saved_and_restored(straight);
+  for (int const steps : {6, 13, 20}) {
+    advance(straight, steps, 1);
+    advance(*resumed, steps, 3);
+    EXPECT_TRUE(bits(straight) == bits(*resumed)) << "step " << straight.step();
+    EXPECT_EQ(straight.search().rebuilds(), resumed->search().rebuilds());
+    resumed = saved_and_restored(*resumed);
+  }
+  bool const moving = GetParam() != "hydrostatic-tank";  // still water keeps its lists
+  EXPECT_EQ(straight.search().rebuilds() > before, moving) << "rebuilds of the lists";
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, Resume,
+                         testing::Values("tnt-in-water", "dam-break-2d", "dam-break-3d",
+                                         "hydrostatic-tank", "sod"),
+                         [](auto const& test) {
+                           std::string name = test.param;
+                           for (char& letter : name)
+                             if (letter == '-') letter = '_';
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace moraine
