@@ -26,8 +26,25 @@ void rename_to(std::filesystem::path const& from, std::filesystem::path const& t
 
 }  // namespace
 
+void write_file(std::filesystem::path const& path, std::span<char const> bytes) {
+  int const file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) fail("cannot open", path);
+  while (!bytes.empty()) {
+    ssize_t const written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) {
+      int const error = errno;
+      ::close(file);
+      errno = error;
+      fail("cannot write", path);
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  if (::close(file) != 0) fail("cannot finish writing", path);
+}
+
 void sync_to_disk(std::filesystem::path const& path) {
-  int const file = ::open(path.c_str(), O_RDONLY);
+  int const file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) fail("cannot open", path);
   bool const good = ::fsync(file) == 0;
   int const error = errno;

@@ -4,8 +4,12 @@
 #include <filesystem>
 #include <fstream>
 #include <ostream>
+#include <span>
 
 namespace moraine {
+
+/// Writes a file. Throws std::runtime_error naming the path, with the system's words (disk full).
+void write_file(std::filesystem::path const& path, std::span<char const> bytes);
 
 /// Waits until a file's content, or a folder's list of files, is on the disk (fsync). Throws
 /// std::runtime_error naming the path.

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "output/atomic_file.hpp"
 #include "output/checkpoint/hdf5_archive.hpp"
 #include "setup/build_model.hpp"
 #include "setup/read_case.hpp"
@@ -42,7 +43,8 @@ class Resume : public testing::TestWithParam<std::string> {
   std::unique_ptr<Simulation> saved_and_restored(Simulation& simulation) const {
     auto const path =
         std::filesystem::temp_directory_path() / ("moraine_resume_" + GetParam() + ".h5");
-    save_hdf5(path, [&](Archive& archive) { simulation.save(archive); });
+    with_hdf5_image([&](Archive& archive) { simulation.save(archive); },
+                    [&](FileImage image) { write_file(path, image); });
     std::unique_ptr<Simulation> restored;
     restore_hdf5(
         path, [&](Archive& archive) { restored = std::make_unique<Simulation>(model(), archive); });

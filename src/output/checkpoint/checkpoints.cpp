@@ -39,8 +39,10 @@ void Checkpoints::save(std::uint64_t step, Exchange const& exchange) {
   temporary += ".tmp";
   try {
     std::filesystem::create_directories(folder_);
-    save_hdf5(temporary, exchange);
-    seal(temporary);
+    with_hdf5_image(exchange, [&](FileImage image) {
+      seal(image);
+      write_file(temporary, image);
+    });
     publish(temporary, path);
   } catch (std::exception const& error) {
     std::error_code ignored;

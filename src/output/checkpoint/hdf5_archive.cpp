@@ -4,6 +4,7 @@
 #include <hdf5.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -177,21 +178,71 @@ class Reader final : public Hdf5Archive {
   hid_t file_;
 };
 
+constexpr std::size_t image_growth = std::size_t{16} << 20;  // bytes at a time
+
+/// Memory of a file image that HDF5 fills, and that stays when HDF5 closes the file.
+class ImageMemory {
+ public:
+  ImageMemory() = default;
+  ImageMemory(ImageMemory const&) = delete;
+  ImageMemory& operator=(ImageMemory const&) = delete;
+  ~ImageMemory() { std::free(memory_); }
+
+  /// Makes files opened with these settings use this memory.
+  herr_t serve(hid_t settings) {
+    H5FD_file_image_callbacks_t callbacks{};
+    callbacks.image_malloc = [](size_t size, H5FD_file_image_op_t, void* self) {
+      return of(self).resize(size);
+    };
+    callbacks.image_memcpy = [](void* to, void const* from, size_t size, H5FD_file_image_op_t,
+                                void*) { return std::memcpy(to, from, size); };
+    callbacks.image_realloc = [](void*, size_t size, H5FD_file_image_op_t, void* self) {
+      return of(self).resize(size);
+    };
+    callbacks.image_free = [](void*, H5FD_file_image_op_t, void*) -> herr_t { return 0; };
+    callbacks.udata_copy = [](void* self) { return self; };
+    callbacks.udata_free = [](void*) -> herr_t { return 0; };
+    callbacks.udata = this;
+    return H5Pset_file_image_callbacks(settings, &callbacks);
+  }
+
+  FileImage image(std::size_t size) const { return {static_cast<char*>(memory_), size}; }
+
+ private:
+  static ImageMemory& of(void* self) { return *static_cast<ImageMemory*>(self); }
+  void* resize(std::size_t size) {
+    void* const larger = std::realloc(memory_, size);
+    if (larger != nullptr) memory_ = larger;
+    return larger;
+  }
+
+  void* memory_ = nullptr;
+};
+
 /// HDF5 prints a stack of its own on every failure; ours say more to a user.
 void keep_quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
 }  // namespace
 
-void save_hdf5(std::filesystem::path const& path, Exchange const& exchange) {
+void with_hdf5_image(Exchange const& exchange, std::function<void(FileImage)> const& use) {
   keep_quiet();
-  std::string const what = path.string() + " cannot be written";
+  std::string const what = "the checkpoint cannot be put together";
   errno = 0;
+  ImageMemory memory;
+  Handle const access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, what);
+  expect_good(H5Pset_fapl_core(access, image_growth, false), what);
+  expect_good(memory.serve(access), what);
   Handle const settings(H5Pcreate(H5P_FILE_CREATE), H5Pclose, what);
   expect_good(H5Pset_userblock(settings, seal_size), what);
-  Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, settings, H5P_DEFAULT), H5Fclose, what);
-  Writer writer(path.string(), file);
+  Handle file(H5Fcreate("image", H5F_ACC_TRUNC, settings, access), H5Fclose, what);
+  Writer writer("checkpoint", file);
   exchange(writer);
+  expect_good(H5Fflush(file, H5F_SCOPE_GLOBAL), what);
+  // The used part of the memory, which grows in large pieces; HDF5 counts from behind the seal.
+  auto const size =
+      seal_size + static_cast<std::size_t>(expect_good(H5Fget_file_image(file, nullptr, 0), what));
   file.close(what);
+  use(memory.image(size));
 }
 
 void restore_hdf5(std::filesystem::path const& path, Exchange const& exchange) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <span>
 
 #include "base/archive.hpp"
 
@@ -15,9 +16,13 @@ inline constexpr std::size_t seal_size = 512;
 /// What names each piece of state once, for either direction.
 using Exchange = std::function<void(Archive&)>;
 
-/// Writes all that `exchange` names to a file, replacing one that is there. Throws
-/// std::runtime_error, with the system's words (disk full), when something cannot be written.
-void save_hdf5(std::filesystem::path const& path, Exchange const& exchange);
+/// The bytes of a file.
+using FileImage = std::span<char>;
+
+/// Makes an HDF5 file of all that `exchange` names in memory, and hands its bytes to `use`. In
+/// memory, because HDF5 (1.10) does not survive a disk that fills up while it writes: it breaks off
+/// the program at its end. Needs memory for the whole file. Throws std::runtime_error.
+void with_hdf5_image(Exchange const& exchange, std::function<void(FileImage)> const& use);
 
 /// Restores all that `exchange` names from a file. Throws std::runtime_error naming the file and
 /// the piece that is missing, of another type, or cannot be read.

@@ -3,52 +3,51 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <memory>
-#include <stdexcept>
 #include <vector>
-
-#include "output/atomic_file.hpp"
-#include "output/checkpoint/hdf5_archive.hpp"
 
 namespace moraine {
 namespace {
 
-/// The seal that belongs to the bytes of a file behind its first seal_size.
-std::string seal_of(std::ifstream& file) {
-  std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> const state(XXH3_createState(),
-                                                                              XXH3_freeState);
-  XXH3_128bits_reset(state.get());
-  file.seekg(static_cast<std::streamoff>(seal_size));
-  std::vector<char> buffer(std::size_t{1} << 20);
-  std::uint64_t length = seal_size;
-  for (;;) {
-    file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-    auto const got = static_cast<std::size_t>(file.gcount());
-    if (got == 0) break;
-    XXH3_128bits_update(state.get(), buffer.data(), got);
-    length += got;
+/// A checksum in the making.
+class Checksum {
+ public:
+  Checksum() : state_(XXH3_createState(), XXH3_freeState) { XXH3_128bits_reset(state_.get()); }
+  void add(char const* bytes, std::size_t count) {
+    XXH3_128bits_update(state_.get(), bytes, count);
+    length_ += count;
   }
-  XXH128_hash_t const hash = XXH3_128bits_digest(state.get());
-  std::string text = fmt::format("moraine checkpoint, {} bytes, xxh3 {:016x}{:016x}", length,
-                                 hash.high64, hash.low64);
-  text.resize(seal_size - 1, ' ');
-  return text + '\n';
+  /// The seal of a file whose bytes behind the seal were added.
+  std::string seal() const {
+    XXH128_hash_t const hash = XXH3_128bits_digest(state_.get());
+    std::string text = fmt::format("moraine checkpoint, {} bytes, xxh3 {:016x}{:016x}",
+                                   seal_size + length_, hash.high64, hash.low64);
+    text.resize(seal_size - 1, ' ');
+    return text + '\n';
+  }
+
+ private:
+  std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state_;
+  std::uint64_t length_ = 0;
+};
+
+std::string seal_of(std::ifstream& file) {
+  Checksum checksum;
+  std::vector<char> buffer(std::size_t{1} << 20);
+  file.seekg(static_cast<std::streamoff>(seal_size));
+  while (file.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), file.gcount() > 0)
+    checksum.add(buffer.data(), static_cast<std::size_t>(file.gcount()));
+  return checksum.seal();
 }
 
 }  // namespace
 
-void seal(std::filesystem::path const& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read back '" + path.string() + "'");
-  std::string const text = seal_of(file);
-  std::fstream out(path, std::ios::binary | std::ios::in | std::ios::out);
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  out.close();
-  if (!out) throw std::runtime_error("cannot write '" + path.string() + "'");
-  sync_to_disk(path);
+void seal(FileImage file) {
+  Checksum checksum;
+  checksum.add(file.data() + seal_size, file.size() - seal_size);
+  checksum.seal().copy(file.data(), seal_size);
 }
 
 std::string broken_seal(std::filesystem::path const& path) {

@@ -4,12 +4,14 @@
 #include <filesystem>
 #include <string>
 
+#include "output/checkpoint/hdf5_archive.hpp"
+
 namespace moraine {
 
-/// Writes the seal into the first seal_size bytes of a file, which its own format leaves free: a
-/// line of text with the length of the file and the 128-bit XXH3 checksum of the rest, padded with
-/// blanks. Then hands the file to the disk (fsync). Throws std::runtime_error on failure.
-void seal(std::filesystem::path const& path);
+/// Writes the seal into the first seal_size bytes of a file's content, which its own format leaves
+/// free: a line of text with the length of the file and the 128-bit XXH3 checksum of the rest,
+/// padded with blanks.
+void seal(FileImage file);
 
 /// Why a file cannot be trusted: not there, no seal, another length, another checksum. Empty when
 /// every byte is as it was sealed.

@@ -9,6 +9,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "output/atomic_file.hpp"
 #include "output/checkpoint/seal.hpp"
 #include "unit/output/scratch_folder.hpp"
 
@@ -158,7 +159,7 @@ TEST_F(CheckpointsTest, ForgetAllButOne) {
 TEST_F(CheckpointsTest, NameThePieceThatIsMissingOrOfAnotherType) {
   State state = some_state();
   auto const file = path("state.h5");
-  save_hdf5(file, of(state));
+  with_hdf5_image(of(state), [&](FileImage image) { write_file(file, image); });
   auto const message = [&](Exchange const& exchange) {
     return message_of<std::runtime_error>([&] { restore_hdf5(file, exchange); });
   };
