@@ -1,6 +1,7 @@
 // A regular grid of cells over fixed-point positions: who lies where, in geometric order.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -60,6 +61,27 @@ struct CellPoints {
   std::span<std::uint32_t const> index{};  // of each entry, padded; empty: entry k is point k
 
   static constexpr std::size_t padding = 16;
+
+  /// Calls visit(index of the point) for all points in the cells that a box [units] touches, and
+  /// for none where it lies outside of the grid.
+  template <class Visit>
+  void for_each_in_box(std::array<double, 3> const& low, std::array<double, 3> const& high,
+                       Visit&& visit) const {
+    GridShape const& shape = grid.shape;
+    std::array<int, 3> first{}, last{};
+    for (int axis = 0; axis < grid.dimension; ++axis) {
+      auto const k = static_cast<std::size_t>(axis);
+      double const end = shape.origin[k] + shape.edge * shape.cells[k];
+      if (high[k] < shape.origin[k] || low[k] > end) return;
+      first[k] = shape.along(std::max(low[k], shape.origin[k]), axis);
+      last[k] = shape.along(std::min(high[k], end), axis);
+    }
+    for (int cz = first[2]; cz <= last[2]; ++cz)
+      for (int cy = first[1]; cy <= last[1]; ++cy)
+        for (std::uint32_t k = grid.start[shape.index(first[0], cy, cz)];
+             k < grid.start[shape.index(last[0], cy, cz) + 1]; ++k)
+          visit(index.empty() ? k : index[k]);
+  }
 };
 
 /// Sorts points by cell; keeps its working memory between calls.

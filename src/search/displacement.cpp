@@ -36,7 +36,9 @@ void DisplacementBound::reset(CellPoints const& fluid, CellPoints const& walls, 
     low[axis] = static_cast<Units>(fine.origin[axis]);
     high[axis] = static_cast<Units>(std::min(2147483000.0, low[axis] + extent));
   }
-  coarse_ = GridShape::over(low, high, dimension_, coarse_edge, std::size_t{1} << 26);
+  // No more cells than the fine grid has, however far single particles lie from the others.
+  std::size_t const most_cells = std::max<std::size_t>(4096, fluid.shape.size());
+  coarse_ = GridShape::over(low, high, dimension_, coarse_edge, most_cells);
 
   auto const at = [&](auto const& x, std::size_t i) {
     UnitPoint p{};

@@ -38,6 +38,9 @@ class DisplacementBound {
   bool near_wall(UnitPoint const& x) const { return near_wall_[coarse_cell(x)] != 0; }
   bool near_fluid(UnitPoint const& x) const { return near_fluid_[coarse_cell(x)] != 0; }
 
+  /// No point has moved farther than this [units] since `reset` while `largest` is finite.
+  double longest_motion() const { return far_limit_; }
+
   std::size_t bytes() const;
 
  private:

@@ -46,6 +46,10 @@ void Search::read_units(ParticleStore const& store, Kind kind) {
   Range const range = store.range(kind);
   Points& p = points(kind);
   p.owned = range.size();
+  // The fixed-point box reaches twice the support beyond the domain. Whatever lies farther outside,
+  // or is no number, is put on its face: it has moved too far for the lists, and what decides about
+  // them cannot overflow.
+  constexpr double face = 1073741823.0;
   for (int axis = 0; axis < settings_.dimension; ++axis) {
     auto const k = static_cast<std::size_t>(axis);
     auto const position = store.component(Field::position, axis);
@@ -54,29 +58,24 @@ void Search::read_units(ParticleStore const& store, Kind kind) {
     double const center = settings_.fixed_point.center[k];
     double const inverse = 1.0 / settings_.fixed_point.scale;
     for_each_block(range.size(), loop_block, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        x[i] = static_cast<Units>(std::lrint((position[range.begin + i] - center) * inverse));
+      for (std::size_t i = begin; i < end; ++i) {
+        double const exact = (position[range.begin + i] - center) * inverse;
+        double const low = exact > -face ? exact : -face;
+        x[i] = static_cast<Units>(std::lrint(low < face ? low : face));
+      }
     });
   }
 }
 
-bool Search::refresh(ParticleStore& store) {
+bool Search::lists_hold(ParticleStore const& store) {
+  if (rebuilds_ == 0 || store.range(Kind::fluid).size() != fluid_fluid_.size()) return false;
   read_units(store, Kind::fluid);
-  Points const& fluid = points(Kind::fluid);
-  if (rebuilds_ > 0 && store.range(Kind::fluid).size() == fluid_fluid_.size()) {
-    auto const now = displacement_.largest(fluid.spans());
-    ++steps_since_rebuild_;
-    double const scale = settings_.fixed_point.scale;
-    // The box of a displacement is exact in units; one part in a thousand covers its rounding.
-    if (now.fluid * scale < 0.999 * skins_.fluid && now.wall * scale < 0.999 * skins_.wall) {
-      seen_ = now;
-      return false;
-    }
-    if (std::isfinite(now.fluid)) seen_ = now;
-    choose_skins();
-  }
-  rebuild(store);
-  return true;
+  auto const now = displacement_.largest(points(Kind::fluid).spans());
+  ++steps_since_rebuild_;
+  double const scale = settings_.fixed_point.scale;
+  if (std::isfinite(now.fluid)) seen_ = now;
+  // The box of a displacement is exact in units; one part in a thousand covers its rounding.
+  return now.fluid * scale < 0.999 * skins_.fluid && now.wall * scale < 0.999 * skins_.wall;
 }
 
 void Search::choose_skins() {
@@ -175,6 +174,7 @@ double Search::reach() const {
 }
 
 void Search::rebuild(ParticleStore& store) {
+  if (steps_since_rebuild_ > 0) choose_skins();
   if (settings_.periodicity.any()) wrap(store);
   if (rebuilds_ == 0) {
     wall_reach_ = reach();
@@ -235,6 +235,8 @@ void Search::exchange(Archive& archive, ParticleStore& store) {
   for (std::size_t k = 0; k < order.size(); ++k)
     if (order[k] != k) throw std::runtime_error("the particles are not in the order of the search");
   make_lists(store);
+  read_units(store, Kind::fluid);
+  displacement_.largest(fluid.spans());
 }
 
 template <int D>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -39,9 +40,26 @@ class Search {
  public:
   explicit Search(SearchSettings const& settings);
 
-  /// Makes the lists valid for the positions in the store; returns true when they were rebuilt, in
-  /// which case the store has been re-sorted.
-  bool refresh(ParticleStore& store);
+  /// Whether the lists hold all neighbours at the positions in the store. Call once per step: how
+  /// fast they wear out decides about the next skins. Positions of any size are allowed.
+  bool lists_hold(ParticleStore const& store);
+
+  /// Sorts the store by cells and makes the lists anew. Particles must lie inside the domain along
+  /// axes that are not periodic.
+  void rebuild(ParticleStore& store);
+
+  /// Rebuilds where the lists do not hold; returns true then.
+  bool refresh(ParticleStore& store) {
+    if (lists_hold(store)) return false;
+    rebuild(store);
+    return true;
+  }
+
+  /// Calls visit(i, seen_from) for all fluid particles that may be closer to x [m] than `reach`
+  /// [m], and for some that are not, while the lists hold: particle i, and the place to look from,
+  /// which is x moved by whole periods.
+  template <class Visit>
+  void for_each_fluid_near(std::array<double, 3> const& x, double reach, Visit&& visit) const;
 
   /// Saves or restores what the lists are a function of: where the points were when the lists were
   /// made, and how far they reach. Restoring needs the store restored before, and makes the same
@@ -84,7 +102,6 @@ class Search {
   void sort_walls(ParticleStore& store);
   void mix_images(ParticleStore const& store, Kind kind);
   void choose_skins();
-  void rebuild(ParticleStore& store);
   void make_lists(ParticleStore const& store);
   template <int D>
   void collect_neighbours();
@@ -101,5 +118,35 @@ class Search {
   std::uint64_t steps_since_rebuild_ = 0;
   std::uint64_t rebuilds_ = 0;
 };
+
+template <class Visit>
+void Search::for_each_fluid_near(std::array<double, 3> const& x, double reach,
+                                 Visit&& visit) const {
+  auto const dimension = static_cast<std::size_t>(settings_.dimension);
+  Points const& fluid = points(Kind::fluid);
+  auto const owned = static_cast<std::uint32_t>(fluid_fluid_.size());
+  Periodicity const& sides = settings_.periodicity;
+  // The cells hold places as of the last rebuild.
+  double const wide = reach + displacement_.longest_motion() * settings_.fixed_point.scale;
+  std::array<int, 3> most{};  // periods to look across, along each axis
+  for (std::size_t k = 0; k < dimension; ++k)
+    most[k] = sides.periodic[k] ? static_cast<int>(std::ceil(wide / sides.period[k])) : 0;
+  for (int pz = -most[2]; pz <= most[2]; ++pz)
+    for (int py = -most[1]; py <= most[1]; ++py)
+      for (int px = -most[0]; px <= most[0]; ++px) {
+        std::array<int, 3> const periods{px, py, pz};
+        std::array<double, 3> from = x;
+        std::array<double, 3> low{}, high{};  // units
+        for (std::size_t k = 0; k < dimension; ++k) {
+          from[k] += periods[k] * sides.period[k];
+          double const center = settings_.fixed_point.center[k];
+          low[k] = (from[k] - wide - center) / settings_.fixed_point.scale;
+          high[k] = (from[k] + wide - center) / settings_.fixed_point.scale;
+        }
+        fluid.in_cells().for_each_in_box(low, high, [&](std::uint32_t i) {
+          if (i < owned) visit(static_cast<std::size_t>(i), from);  // images: by the periods
+        });
+      }
+}
 
 }  // namespace moraine

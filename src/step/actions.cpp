@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/parallel_for.hpp"
 #include "step/simulation.hpp"
@@ -12,16 +13,49 @@
 namespace moraine {
 namespace {
 
-/// Lowest index for which a particle is bad; Vote::nobody when all are good.
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+// Share of the smoothing length that a voted step may carry a particle.
+constexpr double longest_motion = 0.5;
+
+/// Lowest index for which a particle is bad; `none` when all are good.
 template <class Bad>
 std::size_t first_bad(std::size_t count, Bad&& bad) {
   auto const in_block = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (bad(i)) return i;
-    return Vote::nobody;
+    return none;
   };
-  return reduce_blocks(count, Vote::nobody, in_block,
+  return reduce_blocks(count, none, in_block,
                        [](std::size_t a, std::size_t b) { return std::min(a, b); });
+}
+
+/// A largest value and where it is; the first that is not a number stays.
+struct Largest {
+  double value = 0.0;
+  std::size_t particle = 0;
+
+  void include(double other, std::size_t at) {
+    if (std::isnan(value) || other <= value) return;
+    value = other;
+    particle = at;
+  }
+};
+
+using Components = std::array<std::span<double const>, 3>;
+
+Components components_of(ParticleStore const& store, Field field) {
+  Components result;
+  for (int axis = 0; axis < store.dimension(); ++axis)
+    result[static_cast<std::size_t>(axis)] = store.component(field, axis);
+  return result;
+}
+
+double square_of(Components const& vector, std::size_t i) {
+  double sum = 0.0;
+  for (auto const& component : vector)
+    if (!component.empty()) sum += component[i] * component[i];
+  return sum;
 }
 
 }  // namespace
@@ -29,19 +63,25 @@ std::size_t first_bad(std::size_t count, Bad&& bad) {
 void Simulation::choose_time_step() {
   TimeSpec const& spec = model_.time;
   double const h = model_.numerics.smoothing_length();
-  Vote vote{spec.courant * h / swept_.signal_speed, "sound and viscosity", swept_.particle};
+  Vote vote{spec.courant * h / swept_.signal_speed, "sound and viscosity",
+            model_.particles.id()[swept_.particle]};
   vote = stricter(vote, acceleration_vote_);
+  vote = stricter(vote, motion_vote_);
   if (spec.fixed_step > 0.0) vote = {spec.fixed_step, "fixed step", Vote::nobody};
   vote = stricter(vote, {spec.max_step, "largest step", Vote::nobody});
   vote = stricter(vote, {spec.end - time_, end_of_run, Vote::nobody});
   vote_ = vote;
+  if (!(time_ + vote.time_step > time_)) fail_to_advance();
 }
 
 void Simulation::kick_and_drift() {
   ParticleStore& store = model_.particles;
   std::size_t const count = store.range(Kind::fluid).size();
   double const dt = vote_.time_step;
-  for_each_block(count, loop_block, [&](std::size_t begin, std::size_t end) {
+  double const h = model_.numerics.smoothing_length();
+  double const fastest2 = (h / dt) * (h / dt);
+  Components const velocity = components_of(store, Field::velocity);
+  auto const advance = [&](std::size_t begin, std::size_t end) {
     for (int axis = 0; axis < model_.dimension; ++axis) {
       auto x = store.component(Field::position, axis);
       auto v = store.component(Field::velocity, axis);
@@ -58,40 +98,61 @@ void Simulation::kick_and_drift() {
     };
     half_kick(Field::density, Field::density_rate);
     half_kick(Field::specific_energy, Field::energy_rate);
-  });
+    for (std::size_t i = begin; i < end; ++i)
+      if (!(square_of(velocity, i) <= fastest2)) return i;
+    return none;
+  };
+  std::size_t const bad = reduce_blocks(
+      count, none, advance, [](std::size_t a, std::size_t b) { return std::min(a, b); });
+  if (bad != none)
+    fail(bad,
+         fmt::format("it moves {:.4g} m in one step, farther than the smoothing length {:.4g} m",
+                     dt * std::sqrt(square_of(velocity, bad)), h));
 }
 
 void Simulation::remove_lost() {
   ParticleStore& store = model_.particles;
   std::size_t const count = store.range(Kind::fluid).size();
-  std::array<std::span<double const>, 3> position;
-  for (int axis = 0; axis < model_.dimension; ++axis)
-    position[static_cast<std::size_t>(axis)] = store.component(Field::position, axis);
+  auto const axes = static_cast<std::size_t>(model_.dimension);
+  Components const position = components_of(store, Field::position);
+  Components const velocity = components_of(store, Field::velocity);
   auto const outside = [&](std::size_t i) {
-    for (std::size_t k = 0; k < static_cast<std::size_t>(model_.dimension); ++k) {
+    for (std::size_t k = 0; k < axes; ++k) {
       double const x = position[k][i];
       if (!model_.periodic[k] && !(x >= model_.domain_min[k] && x <= model_.domain_max[k]))
         return true;
     }
     return false;
   };
-  if (first_bad(count, outside) == Vote::nobody) return;
-  std::vector<std::uint32_t> leaving;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!outside(i)) continue;
-    leaving.push_back(static_cast<std::uint32_t>(i));
-    double const m = store.scalar(Field::mass)[i];
-    double specific = store.scalar(Field::specific_energy)[i];
-    for (int axis = 0; axis < model_.dimension; ++axis) {
-      double const v = store.component(Field::velocity, axis)[i];
-      double const x = store.component(Field::position, axis)[i];
-      specific += 0.5 * v * v - model_.gravity[static_cast<std::size_t>(axis)] * x;
+  auto const add = [&](std::size_t begin, std::size_t end) {
+    LostParticles lost;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!outside(i)) continue;
+      double specific = store.scalar(Field::specific_energy)[i] + 0.5 * square_of(velocity, i);
+      for (std::size_t k = 0; k < axes; ++k) specific -= model_.gravity[k] * position[k][i];
+      double const mass = store.scalar(Field::mass)[i];
+      ++lost.count;
+      lost.mass += mass;
+      lost.energy += mass * specific;
     }
-    ++lost_.count;
-    lost_.mass += m;
-    lost_.energy += m * specific;
-  }
-  store.remove(leaving);
+    return lost;
+  };
+  auto const combine = [](LostParticles a, LostParticles const& b) {
+    return LostParticles{a.count + b.count, a.mass + b.mass, a.energy + b.energy};
+  };
+  std::size_t const bad = first_bad(count, [&](std::size_t i) {
+    for (std::size_t k = 0; k < axes; ++k)
+      if (!std::isfinite(position[k][i])) return true;
+    return false;
+  });
+  if (bad != none) fail(bad, "its position is not a finite number");
+  LostParticles const lost = reduce_blocks(count, LostParticles{}, add, combine);
+  if (lost.count == 0) return;
+  lost_ = combine(lost_, lost);
+  leaving_.clear();
+  for (std::size_t i = 0; i < count; ++i)
+    if (outside(i)) leaving_.push_back(static_cast<std::uint32_t>(i));
+  store.remove(leaving_);
   if (store.range(Kind::fluid).size() == 0)
     throw SimulationError(
         fmt::format("all particles have left the domain; time {:.6g} s, step {}", time_, step_));
@@ -138,7 +199,7 @@ void Simulation::evaluate_matter() {
   }
   std::size_t const count = store.range(Kind::fluid).size();
   std::size_t const bad = first_bad(count, [&](std::size_t i) { return !(sound_speed[i] >= 0.0); });
-  if (bad != Vote::nobody)
+  if (bad != none)
     fail(bad,
          fmt::format("the equation of state gives no sound speed (c^2 < 0) at density {} kg/m^3, "
                      "specific energy {} J/kg",
@@ -149,10 +210,9 @@ void Simulation::kick_and_check() {
   ParticleStore& store = model_.particles;
   std::size_t const count = store.range(Kind::fluid).size();
   double const half = predict_by();
-  struct Largest {
-    double acceleration2 = 0.0;
-    std::size_t particle = 0;
-    std::size_t bad = Vote::nobody;
+  struct Outcome {
+    Largest acceleration2, speed2;
+    std::size_t bad = none;
   };
   auto density = store.scalar(Field::density);
   auto energy = store.scalar(Field::specific_energy);
@@ -164,45 +224,45 @@ void Simulation::kick_and_check() {
     velocity[static_cast<std::size_t>(axis)] = store.component(Field::velocity, axis);
   }
   auto const kick = [&](std::size_t begin, std::size_t end) {
-    Largest largest;
+    Outcome outcome;
     for (std::size_t i = begin; i < end; ++i) {
       density[i] += half * density_rate[i];
       energy[i] += half * energy_rate[i];
       double acceleration2 = 0.0;
-      double check = density[i] + energy[i];
+      double velocity2 = 0.0;
       for (std::size_t axis = 0; axis < static_cast<std::size_t>(model_.dimension); ++axis) {
         double& a = acceleration[axis][i];
         double& v = velocity[axis][i];
         a += model_.gravity[axis];
         v += half * a;
         acceleration2 += a * a;
-        check += v;
+        velocity2 += v * v;
       }
-      if (!(acceleration2 <= largest.acceleration2)) {
-        largest.acceleration2 = acceleration2;
-        largest.particle = i;
-      }
-      bool const good = std::isfinite(check) && std::isfinite(acceleration2) && density[i] > 0.0;
-      if (!good && largest.bad == Vote::nobody) largest.bad = i;
+      outcome.acceleration2.include(acceleration2, i);
+      outcome.speed2.include(velocity2, i);
+      bool const good =
+          std::isfinite(density[i] + energy[i] + velocity2 + acceleration2) && density[i] > 0.0;
+      if (!good && outcome.bad == none) outcome.bad = i;
     }
-    return largest;
+    return outcome;
   };
-  auto const combine = [](Largest a, Largest const& b) {
-    if (!(b.acceleration2 <= a.acceleration2)) {
-      a.acceleration2 = b.acceleration2;
-      a.particle = b.particle;
-    }
+  auto const combine = [](Outcome a, Outcome const& b) {
+    a.acceleration2.include(b.acceleration2.value, b.acceleration2.particle);
+    a.speed2.include(b.speed2.value, b.speed2.particle);
     a.bad = std::min(a.bad, b.bad);
     return a;
   };
-  Largest const largest = reduce_blocks(count, Largest{}, kick, combine);
-  if (largest.bad != Vote::nobody)
-    fail(largest.bad, density[largest.bad] > 0.0
-                          ? "its velocity, density or energy is not a finite number"
+  Outcome const outcome = reduce_blocks(count, Outcome{}, kick, combine);
+  if (outcome.bad != none)
+    fail(outcome.bad, density[outcome.bad] > 0.0
+                          ? "its velocity, density, energy or acceleration is not a finite number"
                           : "its density is not positive");
   double const h = model_.numerics.smoothing_length();
-  acceleration_vote_ = {model_.time.courant * std::sqrt(h / std::sqrt(largest.acceleration2)),
-                        "acceleration", largest.particle};
+  auto const id = store.id();
+  acceleration_vote_ = {model_.time.courant * std::sqrt(h / std::sqrt(outcome.acceleration2.value)),
+                        "acceleration", id[outcome.acceleration2.particle]};
+  motion_vote_ = {longest_motion * h / std::sqrt(outcome.speed2.value), "motion",
+                  id[outcome.speed2.particle]};
   for (std::size_t axis = 0; axis < 3; ++axis)
     wall_impulse_[axis] += swept_.wall_force[axis] * vote_.time_step;
 }
@@ -213,11 +273,24 @@ void Simulation::fail(std::size_t particle, std::string const& cause) const {
   for (int axis = 0; axis < model_.dimension; ++axis)
     place += fmt::format("{}{:.6g}", axis == 0 ? "" : ", ",
                          store.component(Field::position, axis)[particle]);
+  std::string const who =
+      vote_.particle == Vote::nobody ? "" : fmt::format(" of particle {}", vote_.particle);
   throw SimulationError(
       fmt::format("unstable: particle {} ({}) at ({}) m: {}; time {:.6g} s, step {}, time step "
-                  "{:.3g} s limited by {}",
+                  "{:.3g} s limited by {}{}",
                   store.id()[particle], model_.materials[store.material()[particle]].name, place,
-                  cause, time_, step_, vote_.time_step, vote_.reason));
+                  cause, time_, step_, vote_.time_step, vote_.reason, who));
+}
+
+void Simulation::fail_to_advance() const {
+  std::string const cause = fmt::format("a time step of {} s ({}) does not move the clock",
+                                        vote_.time_step, vote_.reason);
+  if (vote_.particle != Vote::nobody) {
+    auto const id = model_.particles.id();
+    fail(static_cast<std::size_t>(std::find(id.begin(), id.end(), vote_.particle) - id.begin()),
+         cause);
+  }
+  throw SimulationError(fmt::format("{}; time {:.6g} s, step {}", cause, time_, step_));
 }
 
 ConservedSums Simulation::sums() const {

@@ -15,10 +15,9 @@ constexpr std::array action_table{
     Simulation::ActionInfo{"kick and drift",
                            "half a step of velocity, density and energy; a whole "
                            "step of position"},
-    Simulation::ActionInfo{"lost particles",
-                           "remove particles that left the domain, and count them"},
     Simulation::ActionInfo{"search",
-                           "check the neighbour lists; re-sort and rebuild when worn out"},
+                           "check the neighbour lists; when worn out remove particles that left "
+                           "the domain, re-sort and rebuild"},
     Simulation::ActionInfo{"matter", "pressure and sound speed from the equations of state"},
     Simulation::ActionInfo{"gather", "copy what pair terms read into records; refresh images"},
     Simulation::ActionInfo{"walls", "continue pressure and density into wall particles"},
@@ -39,9 +38,9 @@ Simulation::Simulation(Model model, Unstarted)
                                reference_densities(model_))) {
   using Run = void (Simulation::*)();
   constexpr std::array<Run, action_table.size()> runs{
-      &Simulation::choose_time_step,    &Simulation::kick_and_drift,  &Simulation::remove_lost,
-      &Simulation::find_neighbours,     &Simulation::evaluate_matter, &Simulation::gather,
-      &Simulation::continue_into_walls, &Simulation::sum_pairs,       &Simulation::kick_and_check};
+      &Simulation::choose_time_step, &Simulation::kick_and_drift, &Simulation::find_neighbours,
+      &Simulation::evaluate_matter,  &Simulation::gather,         &Simulation::continue_into_walls,
+      &Simulation::sum_pairs,        &Simulation::kick_and_check};
   for (std::size_t k = 0; k < runs.size(); ++k)
     sequence_.push_back({action_table[k], runs[k], timers_.add(action_table[k].label)});
   model_.particles.shrink();
@@ -50,7 +49,7 @@ Simulation::Simulation(Model model, Unstarted)
 Simulation::Simulation(Model model) : Simulation(std::move(model), Unstarted{}) {
   // Rates at the start: the second half of a step, with a step length of zero.
   vote_.time_step = 0.0;
-  run_actions(3);
+  run_actions(2);
   half_step_factor_ = 1.0;
 }
 
@@ -91,7 +90,10 @@ void Simulation::advance() {
 }
 
 void Simulation::find_neighbours() {
-  if (search_.refresh(model_.particles)) sort_by_material();
+  if (search_.lists_hold(model_.particles)) return;
+  remove_lost();
+  search_.rebuild(model_.particles);
+  sort_by_material();
 }
 
 void Simulation::gather() { pairs_->gather_fluid(model_.particles, search_, predict_by()); }
@@ -104,7 +106,8 @@ void Simulation::sum_pairs() { swept_ = pairs_->sweep(model_.particles, search_)
 
 std::size_t Simulation::bytes() const {
   std::size_t sum = model_.particles.bytes() + search_.bytes() + pairs_->bytes() +
-                    model_.walls.points.capacity() * sizeof(WallPoint);
+                    model_.walls.points.capacity() * sizeof(WallPoint) +
+                    leaving_.capacity() * sizeof(std::uint32_t);
   for (auto const& indices : by_material_) sum += indices.capacity() * sizeof(std::uint32_t);
   return sum;
 }

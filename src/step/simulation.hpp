@@ -28,7 +28,8 @@ struct ConservedSums {
   double total_energy() const { return kinetic_energy + internal_energy + potential_energy; }
 };
 
-/// Particles that left the domain and were removed, with what they took along.
+/// Particles that left the domain and were removed, with what they took along. A particle is
+/// removed when the neighbour lists are rebuilt next; until then it takes part like any other.
 struct LostParticles {
   std::uint64_t count = 0;
   double mass = 0.0;    // kg
@@ -54,8 +55,8 @@ class Simulation {
 
   bool running() const { return time_ < model_.time.end; }
 
-  /// One step; throws SimulationError when a particle's state stops being a number or its equation
-  /// of state fails.
+  /// One step; throws SimulationError when a particle's state stops being a number, its equation of
+  /// state fails, it moves farther than its smoothing length, or the clock cannot move any more.
   void advance();
 
   double time() const { return time_; }  // s
@@ -93,8 +94,8 @@ class Simulation {
 
   void choose_time_step();
   void kick_and_drift();
-  void remove_lost();
   void find_neighbours();
+  void remove_lost();
   void evaluate_matter();
   void gather();
   void continue_into_walls();
@@ -103,6 +104,7 @@ class Simulation {
 
   void sort_by_material();
   [[noreturn]] void fail(std::size_t particle, std::string const& cause) const;
+  [[noreturn]] void fail_to_advance() const;
   double predict_by() const { return 0.5 * half_step_factor_ * vote_.time_step; }
 
   Model model_;
@@ -112,9 +114,10 @@ class Simulation {
   std::vector<Action> sequence_;
   std::vector<std::vector<std::uint32_t>> by_material_;
   Vote vote_;
-  Vote acceleration_vote_;
+  Vote acceleration_vote_, motion_vote_;
   SweepOutcome swept_;
   LostParticles lost_;
+  std::vector<std::uint32_t> leaving_;  // indices, while lost particles are removed
   std::array<double, 3> wall_impulse_{};
   double time_ = 0.0;
   double half_step_factor_ = 0.0;  // 0 while the first rates are evaluated, then 1

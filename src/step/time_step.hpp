@@ -1,7 +1,8 @@
 // Votes on the length of a time step.
 #pragma once
 
-#include <cstddef>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string_view>
 
@@ -9,14 +10,16 @@ namespace moraine {
 
 /// The longest step that somebody allows, why, and which particle asks for it.
 struct Vote {
-  static constexpr std::size_t nobody = static_cast<std::size_t>(-1);
+  static constexpr std::uint64_t nobody = std::numeric_limits<std::uint64_t>::max();
 
   double time_step = std::numeric_limits<double>::infinity();  // s
   std::string_view reason = "nothing";
-  std::size_t particle = nobody;  // index in the store
+  std::uint64_t particle = nobody;  // global id
 };
 
 /// The smaller of two votes; a step that is not a number wins, so that guards see it.
-inline Vote stricter(Vote const& a, Vote const& b) { return !(b.time_step >= a.time_step) ? b : a; }
+inline Vote stricter(Vote const& a, Vote const& b) {
+  return std::isnan(a.time_step) || b.time_step >= a.time_step ? a : b;
+}
 
 }  // namespace moraine

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 #include <type_traits>
@@ -84,8 +85,12 @@ void ParticleStore::permute(Kind kind, std::span<std::uint32_t const> order) {
 }
 
 void ParticleStore::remove(std::span<std::uint32_t const> indices) {
-  for (std::uint32_t const i : indices) --kind_size_[i < kind_size_[0] ? 0 : 1];
-  for (auto& values : arrays_) erase(values, indices);
+  auto const walls = std::lower_bound(indices.begin(), indices.end(), kind_size_[0]);
+  kind_size_[0] -= static_cast<std::size_t>(walls - indices.begin());
+  kind_size_[1] -= static_cast<std::size_t>(indices.end() - walls);
+  for_each_block(arrays_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) erase(arrays_[k], indices);
+  });
   erase(id_, indices);
   erase(material_, indices);
 }

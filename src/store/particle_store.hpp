@@ -29,7 +29,7 @@ inline constexpr MaterialId no_material = 255;  // wall particles
 /// Arrays of fields without `on_walls` cover the fluid only, which lies first.
 /// Vectors are stored by component: component(Field::velocity, 1)[i] is v_y of particle i [m/s].
 /// Global ids never change while particles move in memory; they are the handle for everything that
-/// must survive a reordering. Spans are invalidated by append, permute and truncate.
+/// must survive a reordering. Spans are invalidated by append, permute, remove and shrink.
 class ParticleStore {
  public:
   explicit ParticleStore(int dimension);

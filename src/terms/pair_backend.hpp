@@ -1,6 +1,8 @@
 // What the step asks of the pair loops, whatever dimension, precision, kernel and set of terms.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -37,8 +39,15 @@ struct WallData {
 /// What one sweep tells besides the rates it leaves in the store.
 struct SweepOutcome {
   double signal_speed = 0.0;           // largest c + 0.6 (alpha c + beta max|mu|) [m/s]
-  std::size_t particle = 0;            // where
+  std::size_t particle = 0;            // whose, index in the store
   std::array<double, 3> wall_force{};  // force of all walls on the fluid [N]
+
+  /// Takes over a larger signal speed; the first that is not a number stays.
+  void include(double signal, std::size_t whose) {
+    if (std::isnan(signal_speed) || signal <= signal_speed) return;
+    signal_speed = signal;
+    particle = whose;
+  }
 };
 
 /// Keeps the gathered records and runs the loops over pairs.

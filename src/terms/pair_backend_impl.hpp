@@ -71,10 +71,7 @@ class PairBackendImpl final : public PairBackend {
       return sweep_block(store, search, begin, end);
     };
     auto const combine = [](SweepOutcome a, SweepOutcome const& b) {
-      if (b.signal_speed > a.signal_speed) {
-        a.signal_speed = b.signal_speed;
-        a.particle = b.particle;
-      }
+      a.include(b.signal_speed, b.particle);
       for (std::size_t axis = 0; axis < 3; ++axis) a.wall_force[axis] += b.wall_force[axis];
       return a;
     };
@@ -194,10 +191,7 @@ class PairBackendImpl final : public PairBackend {
       double const mu = largest_lane(-sum.approach_speed);
       double const signal = sound_speed[i] + 0.6 * (parameters_.viscosity_alpha * sound_speed[i] +
                                                     parameters_.viscosity_beta * mu);
-      if (!(signal <= outcome.signal_speed)) {  // also taken when not a number
-        outcome.signal_speed = signal;
-        outcome.particle = i;
-      }
+      outcome.include(signal, i);
     });
     return outcome;
   }

@@ -15,12 +15,12 @@ TEST(Motion, FreeFallIsExact) {
   RandomBox box;
   box.side = 2;
   box.scheme = SchemeName::liquid;
-  Model model = random_box(box, 0.5);
+  Model model = random_box(box, 0.05);
   model.periodic = {};
   model.domain_min = {-10.0, -10.0, 0.0};
   model.domain_max = {10.0, 10.0, 0.0};
   model.gravity = {1.5, -9.81, 0.0};
-  model.time.fixed_step = 0.005;
+  model.time.fixed_step = 0.0005;
   ParticleStore& store = model.particles;
   for (std::size_t i = 0; i < store.size(); ++i)  // out of each other's reach
     store.component(Field::position, 0)[i] += static_cast<double>(store.id()[i]);
