@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 #include "base/input_error.hpp"
+#include "setup/case_size.hpp"
 #include "setup/fill.hpp"
 #include "walls/dummy_layer.hpp"
 
@@ -46,9 +49,15 @@ void add_walls(Case const& c, Model& model) {
   int const layers =
       static_cast<int>(std::ceil(kernel_support * c.numerics.smoothing_factor - 1e-9));
   std::uint32_t surface = 0;
+  std::vector<InputProblem> problems;
   for (WallSpec const& spec : c.walls) {
-    for (Dummy const& dummy :
-         make_dummy_layer(box_wall(c, spec), c.numerics.spacing, layers, surface)) {
+    std::vector<Dummy> dummies;
+    try {
+      dummies = make_dummy_layer(box_wall(c, spec), c.numerics.spacing, layers, surface);
+    } catch (std::invalid_argument const& error) {
+      problems.push_back(problem_of(c, "wall." + spec.name, error.what()));
+    }
+    for (Dummy const& dummy : dummies) {
       std::size_t const i = store.append(Kind::wall, no_material);
       set_vector(store, Field::position, i, dummy.position);
       store.scalar(Field::density)[i] = density;
@@ -59,6 +68,7 @@ void add_walls(Case const& c, Model& model) {
     }
     ++surface;
   }
+  if (!problems.empty()) throw InputErrors(std::move(problems));
 }
 
 /// A particle must not see another one and its image, nor itself.
@@ -67,11 +77,11 @@ void check_periods(Case const& c) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(c.dimension); ++axis) {
     double const period = c.domain.max[axis] - c.domain.min[axis];
     if (!c.periodic[axis] || period >= least) continue;
-    throw InputErrors({{c.file, 0, 0, "space.periodic", "",
-                        fmt::format("the period of {:.4g} m is shorter than two kernel supports, "
-                                    "{:.4g} m",
-                                    period, least),
-                        "widen the domain or refine the spacing"}});
+    throw InputErrors({problem_of(
+        c, "space.periodic",
+        fmt::format("makes a period of {:.4g} m, shorter than two kernel supports, {:.4g} m",
+                    period, least),
+        "widen the domain or refine the spacing")});
   }
 }
 
@@ -79,6 +89,7 @@ void check_periods(Case const& c) {
 
 Model build_model(Case const& c) {
   check_periods(c);
+  check_size(c);
   Model model;
   model.dimension = c.dimension;
   model.domain_min = c.domain.min;
@@ -91,11 +102,7 @@ Model build_model(Case const& c) {
     model.materials.push_back({material.name, material.eos});
   model.particles = ParticleStore(c.dimension);
   add_fluid(c, model);
-  try {
-    add_walls(c, model);
-  } catch (std::invalid_argument const& error) {
-    throw InputErrors({{c.file, 0, 0, "wall", "", error.what(), ""}});
-  }
+  add_walls(c, model);
   return model;
 }
 

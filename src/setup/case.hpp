@@ -6,12 +6,15 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "base/input_error.hpp"
 #include "matter/eos/eos.hpp"
 #include "step/settings.hpp"
 
@@ -96,6 +99,13 @@ struct OutputSpec {
   double sums_interval = 0.0;       // s; 0: every step
 };
 
+/// Where the value of a key stands in the case file, and how it is written.
+struct Place {
+  std::size_t line = 0;
+  std::size_t column = 0;
+  std::string text;
+};
+
 struct Case {
   std::string title;
   std::string file;  // as given by the user
@@ -110,6 +120,13 @@ struct Case {
   std::vector<RegionSpec> regions;
   std::vector<WallSpec> walls;
   std::vector<GaugeSpec> gauges;
+  /// By full key ("resolution.spacing", "region.charge.pressure"), for messages; empty for a case
+  /// that comes from no file.
+  std::map<std::string, Place> places;
 };
+
+/// A mistake of a case as a whole, at the place of its key, or of what that is part of.
+InputProblem problem_of(Case const& c, std::string const& key, std::string rule,
+                        std::string hint = {});
 
 }  // namespace moraine

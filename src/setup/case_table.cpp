@@ -23,7 +23,7 @@ void add_space(std::vector<Entry<Case>>& table) {
        .limits = Limits::between(1.0, 3.0),
        .meaning = "number of dimensions; 2D and 1D are per metre of thickness"}));
   std::string_view const domain_note =
-      "the box around container walls and bounded regions, enlarged by its own extent on both "
+      "the box around walls and bounded regions, enlarged by its own extent on both "
       "sides of every axis that is not periodic";
   table.push_back(member<Case, &Case::domain, &Box::min>(
       {.key = "space.domain.min",

@@ -120,7 +120,7 @@ class CaseCheck {
     }
     if (given) check_box(case_.domain, "space.domain");
     if (given && !is_good("space.domain")) return;
-    if (given) check_parts();
+    check_parts();
     check_gauges();
     check_periodic(given);
   }

@@ -18,19 +18,18 @@ namespace {
 
 constexpr double face_tolerance = 1e-6;  // spacings
 
+Box common(Box a, Box const& b) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    a.min[axis] = std::max(a.min[axis], b.min[axis]);
+    a.max[axis] = std::min(a.max[axis], b.max[axis]);
+  }
+  return a;
+}
+
 // The box that holds all particles.
 Box filled_range(Case const& c) {
-  Box range = c.domain;
-  bool const bounded = std::none_of(c.regions.begin(), c.regions.end(), [](auto const& region) {
-    return std::holds_alternative<HalfPlane>(region.shape);
-  });
-  auto const filled = filled_box(c);
-  if (!bounded || !filled) return range;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    range.min[axis] = std::max(range.min[axis], filled->min[axis]);
-    range.max[axis] = std::min(range.max[axis], filled->max[axis]);
-  }
-  return range;
+  auto const regions = box_around_regions(c);
+  return regions ? common(c.domain, *regions) : c.domain;
 }
 
 Box without_open_sides(WallSpec const& wall) {
@@ -73,7 +72,45 @@ class Filler {
     return std::move(seeds_);
   }
 
+  double estimate() const {
+    double volume = 0.0;
+    for (std::size_t i = 0; i < case_.regions.size(); ++i) volume += sampled_volume(i);
+    return volume / volume_;
+  }
+
  private:
+  // Of the part of region i that gets particles, from samples in the middle of equal cells.
+  double sampled_volume(std::size_t i) const {
+    constexpr std::array samples{4096, 128, 40};  // along each axis, by dimension
+    auto const bounded = bounding_box(case_.regions[i].shape, case_.dimension);
+    Box const box = bounded ? common(case_.domain, *bounded) : case_.domain;
+    int const along = samples[static_cast<std::size_t>(case_.dimension - 1)];
+    std::array<int, 3> count{1, 1, 1};
+    double cell = 1.0;  // m^dimension
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(case_.dimension); ++axis) {
+      count[axis] = along;
+      cell *= std::max(box.max[axis] - box.min[axis], 0.0) / along;
+    }
+    std::size_t filled = 0;
+    for (int z = 0; z < count[2]; ++z)
+      for (int y = 0; y < count[1]; ++y)
+        for (int x = 0; x < count[0]; ++x) {
+          Point point{};
+          for (std::size_t axis = 0; axis < static_cast<std::size_t>(case_.dimension); ++axis)
+            point[axis] = box.min[axis] + (std::array{x, y, z}[axis] + 0.5) *
+                                              (box.max[axis] - box.min[axis]) / along;
+          filled += region_at(point) == i && may_be_filled(point) ? 1 : 0;
+        }
+    return cell * static_cast<double>(filled);
+  }
+
+  // The last region around a point; the number of regions where there is none.
+  std::size_t region_at(Point const& point) const {
+    for (std::size_t i = case_.regions.size(); i-- > 0;)
+      if (contains(case_.regions[i].shape, point, case_.dimension, tolerance_)) return i;
+    return case_.regions.size();
+  }
+
   MaterialId material_of(RegionSpec const& region) {
     auto const found =
         std::find_if(case_.materials.begin(), case_.materials.end(),
@@ -103,11 +140,8 @@ class Filler {
   }
 
   void visit(Point const& point) {
-    for (std::size_t i = case_.regions.size(); i-- > 0;) {
-      if (!contains(case_.regions[i].shape, point, case_.dimension, tolerance_)) continue;
-      if (may_be_filled(point)) add(i, point);
-      return;
-    }
+    std::size_t const i = region_at(point);
+    if (i < case_.regions.size() && may_be_filled(point)) add(i, point);
   }
 
   void add(std::size_t i, Point const& point) {
@@ -129,13 +163,8 @@ class Filler {
 
   InputProblem problem(RegionSpec const& region, std::string_view key, std::string rule,
                        std::string hint = {}) const {
-    return {.file = case_.file,
-            .line = 0,
-            .column = 0,
-            .key = fmt::format("region.{}{}", region.name, key),
-            .value = "",
-            .rule = std::move(rule),
-            .hint = std::move(hint)};
+    return problem_of(case_, fmt::format("region.{}{}", region.name, key), std::move(rule),
+                      std::move(hint));
   }
 
   void throw_problems() const {
@@ -147,9 +176,10 @@ class Filler {
             problem(region, "", fmt::format("fills no particle at a spacing of {} m", spacing_),
                     "it is too small, outside the walls or covered by a later region"));
       else if (stateless_[i])
-        problems.push_back(problem(
-            region, region.initial.pressure ? ".pressure" : ".hydrostatic_level",
-            fmt::format("the material \"{}\" has no state with this pressure", region.material)));
+        problems.push_back(
+            problem(region, region.initial.pressure ? ".pressure" : ".hydrostatic_level",
+                    fmt::format("asks for a pressure that the material \"{}\" cannot have",
+                                region.material)));
     }
     if (!problems.empty()) throw InputErrors(std::move(problems));
   }
@@ -178,5 +208,7 @@ Point lattice_anchor(Case const& c) {
 }
 
 std::vector<Seed> fill_regions(Case const& c) { return Filler(c).fill(); }
+
+double estimated_particles(Case const& c) { return Filler(c).estimate(); }
 
 }  // namespace moraine

@@ -69,19 +69,30 @@ std::optional<Box> bounding_box(Shape const& shape, int dimension) {
   return box;
 }
 
-std::optional<Box> filled_box(Case const& c) {
+std::optional<Box> box_around_regions(Case const& c) {
   std::optional<Box> result;
-  auto const add = [&result](Box const& box) { result = result ? around(*result, box) : box; };
-  for (auto const& wall : c.walls)
-    if (wall.form == WallForm::container) add(wall.box);
-  for (auto const& region : c.regions)
-    if (auto const box = bounding_box(region.shape, c.dimension)) add(*box);
+  for (auto const& region : c.regions) {
+    auto const box = bounding_box(region.shape, c.dimension);
+    if (!box) return std::nullopt;
+    result = result ? around(*result, *box) : *box;
+  }
   return result;
 }
 
 std::optional<Box> default_domain(Case const& c) {
-  auto box = filled_box(c);
-  if (!box) return box;
+  std::optional<Box> box;
+  bool bounded = false;
+  auto const add = [&](Box const& other) { box = box ? around(*box, other) : other; };
+  for (auto const& wall : c.walls) {
+    add(wall.box);
+    bounded = bounded || wall.form == WallForm::container;
+  }
+  for (auto const& region : c.regions)
+    if (auto const other = bounding_box(region.shape, c.dimension)) {
+      add(*other);
+      bounded = true;
+    }
+  if (!bounded) return std::nullopt;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (c.periodic[axis]) continue;
     double const extent = box->max[axis] - box->min[axis];

@@ -24,10 +24,11 @@ bool is_inside(Box const& inner, Box const& outer, int dimension);
 /// The smallest box around a shape; nothing for a half-plane.
 std::optional<Box> bounding_box(Shape const& shape, int dimension);
 
-/// The box around container walls and bounded regions; nothing if there are none.
-std::optional<Box> filled_box(Case const& c);
+/// The box around all regions; nothing if there is none, or a half-plane among them.
+std::optional<Box> box_around_regions(Case const& c);
 
-/// filled_box, enlarged by its own extent on both sides of every axis that is not periodic.
+/// The box around all walls and bounded regions, enlarged by its own extent on both sides of every
+/// axis that is not periodic; nothing without a container wall or a bounded region.
 std::optional<Box> default_domain(Case const& c);
 
 }  // namespace moraine

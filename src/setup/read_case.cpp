@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -57,6 +59,7 @@ class CaseReader {
     keys_.gauges = read_list("gauge", gauge_entries(), case_.gauges);
     finish_case(case_, keys_, source_);
     if (!source_.problems().empty()) throw InputErrors(source_.problems());
+    case_.places = source_.places();
     return std::move(case_);
   }
 
@@ -136,16 +139,21 @@ Case parse_case(std::string_view text, std::string_view file_name) {
 }
 
 Case read_case(std::filesystem::path const& path) {
+  auto const refuse = [&](std::string rule, std::string hint = {}) {
+    throw InputErrors({{path.string(), 0, 0, "", "", std::move(rule), std::move(hint)}});
+  };
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    auto const inside = path / "case.toml";
+    bool const meant = std::filesystem::exists(inside, ignored);
+    refuse("is a folder, not a case file",
+           meant ? fmt::format("did you mean \"{}\"?", inside.string()) : "");
+  }
+  errno = 0;
   std::ifstream stream(path, std::ios::binary);
-  std::error_code ignored;  // a directory opens like a file, but reading it throws
-  if (!stream || std::filesystem::is_directory(path, ignored))
-    throw InputErrors({{.file = path.string(),
-                        .line = 0,
-                        .column = 0,
-                        .key = "",
-                        .value = "",
-                        .rule = "cannot be read",
-                        .hint = ""}});
+  if (!stream)
+    refuse(errno == ENOENT ? "does not exist"
+                           : fmt::format("cannot be read: {}", std::strerror(errno)));
   std::string const text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   return parse_case(text, path.string());
 }

@@ -45,6 +45,15 @@ std::string Source::excerpt(Stretch place) const {
   return text.substr(0, offset_of(text, longest_excerpt - 2)) + "...";
 }
 
+std::map<std::string, Place> Source::places() const {
+  std::map<std::string, Place> all;
+  for (auto const& [key, place] : places_) {
+    bool const table = places_.upper_bound(key + '.') != places_.lower_bound(key + '/');
+    all[key] = {place.line, place.column, table ? std::string{} : excerpt(place)};
+  }
+  return all;
+}
+
 void Source::report_value(std::string const& key, Stretch place, std::string rule,
                           std::string hint) {
   bad_.insert(key);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/input_error.hpp"
+#include "setup/case.hpp"
 
 namespace moraine {
 
@@ -29,6 +30,9 @@ class Source {
 
   /// Notes that `key` has its value at this place.
   void remember(std::string const& key, Stretch place) { places_[key] = place; }
+
+  /// All remembered keys; the text is left out where it is a whole table.
+  std::map<std::string, Place> places() const;
 
   /// Whether the file holds the key, and no mistake was reported for it.
   bool has(std::string const& key) const { return places_.contains(key); }

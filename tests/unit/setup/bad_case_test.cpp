@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "base/input_error.hpp"
 #include "setup/read_case.hpp"
@@ -232,12 +233,14 @@ box = { min = [0, "1 µm"], max = [1, "1 µg"] }
 }
 
 TEST(BadCases, AFileThatCannotBeReadIsAnInputError) {
-  for (std::string const path : {"/nonexistent/case.toml", "/"}) {
+  for (auto const& [path, rule] :
+       {std::pair<std::string, std::string>("/nonexistent/case.toml", "does not exist"),
+        std::pair<std::string, std::string>("/", "is a folder, not a case file")}) {
     try {
       read_case(path);
       ADD_FAILURE() << path << " was read";
     } catch (InputErrors const& errors) {
-      EXPECT_EQ(errors.what(), path + ": cannot be read");
+      EXPECT_EQ(errors.what(), path + ": " + rule);
     }
   }
 }

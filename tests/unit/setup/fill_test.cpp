@@ -122,8 +122,8 @@ TEST(Fill, RegionsWithoutParticlesAreInputErrors) {
                  "small, outside the walls or covered by a later region\n"
                  "case.toml: region.tiny: fills no particle at a spacing of 0.1 m; it is too "
                  "small, outside the walls or covered by a later region\n"
-                 "case.toml: region.cold.pressure: the material \"tnt\" has no state with this "
-                 "pressure");
+                 "case.toml: region.cold.pressure: asks for a pressure that the material "
+                 "\"tnt\" cannot have");
   }
 }
 

@@ -1,0 +1,79 @@
+#include "setup/case_size.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "setup/fill.hpp"
+
+namespace moraine {
+namespace {
+
+// Indices of particles and of their images in lists are 32-bit.
+constexpr double most_particles = 2147483647.0;
+
+// Memory of a run per particle, walls included, by dimension: what `moraine bench` measures for
+// large tanks (docs/performance.md). In 1D lists are shorter than in 2D.
+constexpr std::array bytes_per_particle{300.0, 380.0, 510.0};
+
+double wall_particles(Case const& c, WallSpec const& wall) {
+  double const layers = std::ceil(kernel_support * c.numerics.smoothing_factor - 1e-9);
+  auto const axes = static_cast<std::size_t>(c.dimension);
+  double sum = 0.0;
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    double side = layers;
+    for (std::size_t other = 0; other < axes; ++other)
+      if (other != axis) side *= (wall.box.max[other] - wall.box.min[other]) / c.numerics.spacing;
+    for (bool const open : wall.open[axis]) sum += open ? 0.0 : side;
+  }
+  return sum;
+}
+
+double size_for(Case const& c, double spacing) {
+  Case other = c;
+  other.numerics.spacing = spacing;
+  return estimate_size(other).particles();
+}
+
+// The finest of the spacings 1, 2 and 5 times a power of ten that gives at most so many particles.
+double fitting_spacing(Case const& c, double most) {
+  double const least = std::floor(std::log10(c.numerics.spacing));
+  for (double power = std::pow(10.0, least);; power *= 10.0)
+    for (double const digit : {1.0, 2.0, 5.0})
+      if (digit * power > c.numerics.spacing && size_for(c, digit * power) <= most)
+        return digit * power;
+}
+
+}  // namespace
+
+CaseSize estimate_size(Case const& c) {
+  CaseSize size;
+  size.fluid = estimated_particles(c);
+  for (WallSpec const& wall : c.walls) size.walls += wall_particles(c, wall);
+  size.bytes = size.particles() * bytes_per_particle[static_cast<std::size_t>(c.dimension - 1)];
+  return size;
+}
+
+double machine_memory() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+void check_size(Case const& c, double memory) {
+  CaseSize const size = estimate_size(c);
+  bool const countable = size.particles() <= most_particles;
+  if (countable && size.bytes <= memory) return;
+  double const most = std::min(most_particles, memory / size.bytes * size.particles());
+  std::string const limit =
+      countable ? fmt::format("this machine has {:.3g} GB", memory / 1e9)
+                : fmt::format("at most {:.0f} particles are possible", most_particles);
+  throw InputErrors({problem_of(
+      c, "resolution.spacing",
+      fmt::format("makes about {:.2g} particles, which need about {:.3g} GB of memory; {}",
+                  size.particles(), size.bytes / 1e9, limit),
+      fmt::format("a spacing of {:.4g} m fits", fitting_spacing(c, most)))});
+}
+
+}  // namespace moraine
