@@ -41,6 +41,15 @@ class Timers {
     ++entry.calls;
   }
 
+  /// Adds the labels of another object behind its own; times of the same label are summed.
+  void include(Timers const& other) {
+    for (TimerEntry const& entry : other.entries_) {
+      TimerEntry& mine = entries_[static_cast<std::size_t>(add(entry.label))];
+      mine.total += entry.total;
+      mine.calls += entry.calls;
+    }
+  }
+
   /// All labels in the order of `add`.
   std::span<TimerEntry const> entries() const { return entries_; }
 

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <regex>
 
 #include "output/atomic_file.hpp"
+#include "output/plot/plot.hpp"
 #include "output/vtp_writer.hpp"
 #include "probes/point_probe.hpp"
 #include "setup/used_case.hpp"
@@ -54,15 +57,23 @@ MaterialId material_of(Case const& c, std::string const& name) {
   return static_cast<MaterialId>(found - c.materials.begin());
 }
 
-/// The folder, without the frames and the snapshot that an earlier run left in it; other files
-/// stay.
+bool is_frame(std::string const& file_name) {
+  static std::regex const pattern("particles_[0-9]{6,}\\.vtp");
+  return std::regex_match(file_name, pattern);
+}
+
+/// The folder, without the frames, the pictures and the snapshot that an earlier run left in it;
+/// other files stay.
 std::filesystem::path prepared(std::filesystem::path folder) {
   std::filesystem::create_directories(folder / "frames");
   std::vector<std::filesystem::path> old{folder / "unstable.vtp"};
-  for (auto const& entry : std::filesystem::directory_iterator(folder / "frames")) {
-    std::string const name = entry.path().filename().string();
-    if (name.starts_with("particles_") && name.ends_with(".vtp")) old.push_back(entry.path());
-  }
+  auto const collect = [&](std::filesystem::path const& place, auto const& ours) {
+    if (!std::filesystem::is_directory(place)) return;
+    for (auto const& entry : std::filesystem::directory_iterator(place))
+      if (ours(entry.path().filename().string())) old.push_back(entry.path());
+  };
+  collect(folder / "frames", is_frame);
+  collect(folder / "plots", is_picture_of_run);
   for (auto const& file : old) std::filesystem::remove(file);
   return folder;
 }
@@ -128,7 +139,10 @@ void RunRecorder::tell(Simulation const& simulation) {
 
 void RunRecorder::finish(Simulation const& simulation, std::string const& reason,
                          double wall_time) {
-  if (simulation.time() > last_frame_time_) write_frame(simulation);
+  double const time = simulation.time();
+  if (time > last_frame_time_) write_frame(simulation);
+  if (time > last_gauge_time_) write_gauges(simulation);
+  if (time > last_sums_time_) write_sums(simulation);
   write_end(simulation, reason, wall_time);
 }
 
@@ -148,6 +162,7 @@ void RunRecorder::write_end(Simulation const& simulation, std::string const& rea
 }
 
 void RunRecorder::write_frame(Simulation const& simulation) {
+  ScopedTimer const timing(timers_, frame_timer_);
   std::string const name = fmt::format("frames/particles_{:06}.vtp", frame_count_++);
   write_vtp(folder_ / name, simulation.particles(), Kind::fluid, simulation.time());
   frames_.add(simulation.time(), name);
@@ -155,6 +170,8 @@ void RunRecorder::write_frame(Simulation const& simulation) {
 }
 
 void RunRecorder::write_gauges(Simulation const& simulation) {
+  ScopedTimer const timing(timers_, gauge_timer_);
+  last_gauge_time_ = simulation.time();
   std::vector<double> row{simulation.time()};
   for (GaugeSpec const& gauge : case_.gauges) {
     if (gauge.kind == GaugeKind::front) {
@@ -162,8 +179,9 @@ void RunRecorder::write_gauges(Simulation const& simulation) {
                                 gauge.axis, gauge.direction));
       continue;
     }
-    PointState const state = probe_point(simulation.particles(), case_.numerics.kernel,
-                                         case_.numerics.smoothing_length(), gauge.position);
+    PointState const state =
+        probe_point(simulation.particles(), simulation.search(), case_.numerics.kernel,
+                    case_.numerics.smoothing_length(), gauge.position);
     row.insert(row.end(), {state.pressure, state.density, state.specific_energy});
     row.insert(row.end(), state.velocity.begin(), state.velocity.begin() + case_.dimension);
   }
@@ -171,6 +189,8 @@ void RunRecorder::write_gauges(Simulation const& simulation) {
 }
 
 void RunRecorder::write_sums(Simulation const& simulation) {
+  ScopedTimer const timing(timers_, sums_timer_);
+  last_sums_time_ = simulation.time();
   ConservedSums const s = simulation.sums();
   std::array const row{simulation.time(),
                        s.kinetic_energy,

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "base/timer.hpp"
 #include "output/manifest.hpp"
 #include "output/pvd_collection.hpp"
 #include "output/table_csv.hpp"
@@ -35,21 +35,25 @@ class Schedule {
 /// Writes frames, gauges, conserved sums, the used case and the manifest of one run.
 class RunRecorder {
  public:
-  /// Makes the folder, clears frames and tables of an earlier run in it, writes the used case, the
-  /// manifest, the walls and the state at the start.
+  /// Makes the folder, clears frames, tables and pictures of an earlier run in it, writes the used
+  /// case, the manifest, the walls and the state at the start.
   RunRecorder(Case const& c, Simulation const& simulation, std::filesystem::path folder,
               int threads);
 
   /// Call after each step.
   void tell(Simulation const& simulation);
 
-  /// Writes the last state and the end into the manifest. `reason`: why the run ended.
+  /// Writes the last state to frames and tables, and the end into the manifest. `reason`: why the
+  /// run ended.
   void finish(Simulation const& simulation, std::string const& reason, double wall_time);
 
   /// Writes the end of a run that broke down into the manifest, and its particles apart from the
   /// good frames, to unstable.vtp, whose path it returns.
   std::filesystem::path give_up(Simulation const& simulation, std::string const& reason,
                                 double wall_time);
+
+  /// Time spent on writing, by label.
+  Timers const& timers() const { return timers_; }
 
  private:
   void write_end(Simulation const& simulation, std::string const& reason, double wall_time);
@@ -64,8 +68,14 @@ class RunRecorder {
   TableCsv gauges_;
   TableCsv sums_;
   Schedule frame_schedule_, gauge_schedule_, sums_schedule_;
+  Timers timers_;
+  int frame_timer_ = timers_.add("write frames");
+  int gauge_timer_ = timers_.add("gauges");
+  int sums_timer_ = timers_.add("sums");
   std::size_t frame_count_ = 0;
   double last_frame_time_ = -1.0;
+  double last_gauge_time_ = -1.0;
+  double last_sums_time_ = -1.0;
 };
 
 }  // namespace moraine

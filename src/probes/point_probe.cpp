@@ -23,48 +23,36 @@ Sums combine(Sums a, Sums const& b) {
   return a;
 }
 
-template <int D, class Kernel>
-Sums interpolate(ParticleStore const& store, double h, std::array<double, 3> const& x) {
-  auto const add = [&](std::size_t begin, std::size_t end) {
-    Sums sums;
-    for (std::size_t i = begin; i < end; ++i) {
-      double distance2 = 0.0;
-      for (int axis = 0; axis < D; ++axis) {
-        double const d =
-            x[static_cast<std::size_t>(axis)] - store.component(Field::position, axis)[i];
-        distance2 += d * d;
-      }
-      if (distance2 >= kernel_support * kernel_support * h * h) continue;
-      double const w = Kernel::shape(std::sqrt(distance2) / h) * store.scalar(Field::mass)[i] /
-                       store.scalar(Field::density)[i];
-      sums.weight += w;
-      sums.state.pressure += w * store.scalar(Field::pressure)[i];
-      sums.state.density += w * store.scalar(Field::density)[i];
-      sums.state.specific_energy += w * store.scalar(Field::specific_energy)[i];
-      for (int axis = 0; axis < D; ++axis)
-        sums.state.velocity[static_cast<std::size_t>(axis)] +=
-            w * store.component(Field::velocity, axis)[i];
-    }
-    return sums;
+double shape(KernelName kernel, int dimension, double q) {
+  auto const of = [&]<int D>(std::integral_constant<int, D>) {
+    return kernel == KernelName::cubic_spline ? CubicSpline<D>::shape(q) : WendlandC2<D>::shape(q);
   };
-  return reduce_blocks(store.range(Kind::fluid).size(), Sums{}, add, combine);
+  if (dimension == 1) return of(std::integral_constant<int, 1>{});
+  if (dimension == 2) return of(std::integral_constant<int, 2>{});
+  return of(std::integral_constant<int, 3>{});
 }
 
-template <int D>
-Sums with_kernel(ParticleStore const& store, KernelName kernel, double h,
-                 std::array<double, 3> const& x) {
-  return kernel == KernelName::cubic_spline ? interpolate<D, CubicSpline<D>>(store, h, x)
-                                            : interpolate<D, WendlandC2<D>>(store, h, x);
+/// Adds particle i, seen from x, to the sums.
+void include(Sums& sums, ParticleStore const& store, std::size_t i, KernelName kernel, double h,
+             std::array<double, 3> const& x) {
+  double distance2 = 0.0;
+  for (int axis = 0; axis < store.dimension(); ++axis) {
+    double const d = x[static_cast<std::size_t>(axis)] - store.component(Field::position, axis)[i];
+    distance2 += d * d;
+  }
+  if (distance2 >= kernel_support * kernel_support * h * h) return;
+  double const w = shape(kernel, store.dimension(), std::sqrt(distance2) / h) *
+                   store.scalar(Field::mass)[i] / store.scalar(Field::density)[i];
+  sums.weight += w;
+  sums.state.pressure += w * store.scalar(Field::pressure)[i];
+  sums.state.density += w * store.scalar(Field::density)[i];
+  sums.state.specific_energy += w * store.scalar(Field::specific_energy)[i];
+  for (int axis = 0; axis < store.dimension(); ++axis)
+    sums.state.velocity[static_cast<std::size_t>(axis)] +=
+        w * store.component(Field::velocity, axis)[i];
 }
 
-}  // namespace
-
-PointState probe_point(ParticleStore const& store, KernelName kernel, double h,
-                       std::array<double, 3> const& x) {
-  Sums sums;
-  if (store.dimension() == 1) sums = with_kernel<1>(store, kernel, h, x);
-  if (store.dimension() == 2) sums = with_kernel<2>(store, kernel, h, x);
-  if (store.dimension() == 3) sums = with_kernel<3>(store, kernel, h, x);
+PointState mean(Sums const& sums) {
   double const inverse =
       sums.weight > 0.0 ? 1.0 / sums.weight : std::numeric_limits<double>::quiet_NaN();
   PointState state = sums.state;
@@ -73,6 +61,28 @@ PointState probe_point(ParticleStore const& store, KernelName kernel, double h,
   state.specific_energy *= inverse;
   for (double& v : state.velocity) v *= inverse;
   return state;
+}
+
+}  // namespace
+
+PointState probe_point(ParticleStore const& store, KernelName kernel, double h,
+                       std::array<double, 3> const& x) {
+  auto const add = [&](std::size_t begin, std::size_t end) {
+    Sums sums;
+    for (std::size_t i = begin; i < end; ++i) include(sums, store, i, kernel, h, x);
+    return sums;
+  };
+  return mean(reduce_blocks(store.range(Kind::fluid).size(), Sums{}, add, combine));
+}
+
+PointState probe_point(ParticleStore const& store, Search const& search, KernelName kernel,
+                       double h, std::array<double, 3> const& x) {
+  Sums sums;
+  search.for_each_fluid_near(x, kernel_support * h,
+                             [&](std::size_t i, std::array<double, 3> const& seen_from) {
+                               include(sums, store, i, kernel, h, seen_from);
+                             });
+  return mean(sums);
 }
 
 double probe_front(ParticleStore const& store, MaterialId material, int axis, int direction) {

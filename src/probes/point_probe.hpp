@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "search/search.hpp"
 #include "smoothing/kernels.hpp"
 #include "store/particle_store.hpp"
 
@@ -22,6 +23,12 @@ struct PointState {
 /// for constant fields, also at free surfaces. h in m.
 PointState probe_point(ParticleStore const& store, KernelName kernel, double h,
                        std::array<double, 3> const& x);
+
+/// The same with the cells of a search whose lists hold: only particles nearby are looked at, and
+/// those beyond periodic sides count too. Summed in the order of the cells, hence the same bits for
+/// any number of threads.
+PointState probe_point(ParticleStore const& store, Search const& search, KernelName kernel,
+                       double h, std::array<double, 3> const& x);
 
 /// Largest (direction +1) or smallest (-1) coordinate along an axis of a material's particles [m];
 /// not a number when there are none.

@@ -69,6 +69,17 @@ ColorRange color_range(std::vector<double> const& values) {
   return range;
 }
 
+ColorRange common_range(std::vector<ColorRange> const& ranges) {
+  std::vector<double> low, high;
+  for (ColorRange const& range : ranges) {
+    low.push_back(range.low);
+    high.push_back(range.high);
+  }
+  std::sort(low.begin(), low.end());
+  std::sort(high.begin(), high.end());
+  return {low[(low.size() - 1) / 2], high[high.size() / 2], false, false};
+}
+
 double upright_bar_room(Axis const& scale, double height) {
   double widest = 0.0;
   for (std::string const& label : upright_ticks(scale, height).labels)

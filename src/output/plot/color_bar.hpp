@@ -20,6 +20,10 @@ struct ColorRange {
 /// this is less than a third of it. An empty range is widened.
 ColorRange color_range(std::vector<double> const& values);
 
+/// One range for several pictures: from the middle of their low ends to the middle of their high
+/// ends; of two middle ones the outer. `ranges` must not be empty.
+ColorRange common_range(std::vector<ColorRange> const& ranges);
+
 /// Room that ticks and label of an upright bar need to its right [pt].
 double upright_bar_room(Axis const& scale, double height);
 

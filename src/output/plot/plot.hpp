@@ -42,10 +42,16 @@ void plot_profile(std::filesystem::path const& vtp, std::string const& field,
 
 /// All pictures of a run folder: histories and sums (SVG and PNG) where their tables are, and up to
 /// five frames spread over the run, the last one included (PNG), as profiles in 1D.
-/// Returns the files written. Throws std::runtime_error if `run` is no folder or holds nothing to
-/// plot, and whatever the single plots throw.
+/// The colours of all frames have one scale: from the middle of the low ends to the middle of the
+/// high ends that plot_frame would choose for the single frames (of two middle ones the wider), so
+/// that one extreme frame does not darken the others; values beyond show at the colour bar.
+/// Returns the files written. Throws InputErrors if `run` is no folder or holds nothing to plot,
+/// and whatever the single plots throw.
 std::vector<std::filesystem::path> plot_run(std::filesystem::path const& run,
                                             std::filesystem::path const& out,
                                             std::string const& field = "pressure");
+
+/// Whether plot_run gives a picture this name.
+bool is_picture_of_run(std::string const& file_name);
 
 }  // namespace moraine

@@ -1,8 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <regex>
+#include <utility>
 
+#include "base/input_error.hpp"
+#include "output/plot/color_bar.hpp"
+#include "output/plot/frame_field.hpp"
 #include "output/plot/plot.hpp"
 #include "output/pvd_collection.hpp"
 #include "output/table_csv.hpp"
@@ -22,13 +26,38 @@ std::vector<std::size_t> chosen_frames(std::size_t count) {
   return chosen;
 }
 
+InputErrors bad_folder(std::filesystem::path const& folder, std::string rule) {
+  return InputErrors({{"moraine plot", 0, 0, "folder", fmt::format("\"{}\"", folder.string()),
+                       std::move(rule), "give the folder that \"moraine run\" has written"}});
+}
+
+/// One scale for all pictures of a run, so that they can be compared; nothing for profiles.
+std::optional<std::array<double, 2>> range_of_frames(
+    std::vector<std::filesystem::path> const& frames, std::string const& field) {
+  std::vector<plot::ColorRange> ranges;
+  for (auto const& file : frames) {
+    ParticleFrame const frame = read_vtp(file);
+    if (frame.dimension == 1) return std::nullopt;
+    ranges.push_back(plot::color_range(plot::frame_field(frame, field).values));
+  }
+  if (ranges.empty()) return std::nullopt;
+  plot::ColorRange const common = plot::common_range(ranges);
+  return std::array{common.low, common.high};
+}
+
 }  // namespace
+
+bool is_picture_of_run(std::string const& file_name) {
+  static std::regex const pattern("(histories|sums)\\.(svg|png)|[a-z_]+_particles_[0-9]{6,}\\.png");
+  return std::regex_match(file_name, pattern);
+}
 
 std::vector<std::filesystem::path> plot_run(std::filesystem::path const& run,
                                             std::filesystem::path const& out,
                                             std::string const& field) {
   if (!std::filesystem::is_directory(run))
-    throw std::runtime_error(fmt::format("no run folder '{}'", run.string()));
+    throw bad_folder(run, std::filesystem::exists(run) ? "is no run folder but a file"
+                                                       : "is no run folder: it does not exist");
   std::vector<std::filesystem::path> written;
   auto const series = [&](char const* table, char const* name, auto draw) {
     if (!std::filesystem::exists(run / table)) return;
@@ -46,19 +75,21 @@ std::vector<std::filesystem::path> plot_run(std::filesystem::path const& run,
     std::vector<PvdEntry> const entries = read_pvd(run / "particles.pvd");
     FramePlotOptions options;
     if (std::filesystem::exists(run / "walls.vtp")) options.walls = run / "walls.vtp";
-    for (std::size_t const i : chosen_frames(entries.size())) {
-      std::filesystem::path const frame = run / entries[i].file;
+    std::vector<std::filesystem::path> frames;
+    for (std::size_t const i : chosen_frames(entries.size()))
+      frames.push_back(run / entries[i].file);
+    options.range = range_of_frames(frames, field);
+    for (auto const& frame : frames) {
       written.push_back(out / fmt::format("{}_{}.png", field, frame.stem().string()));
-      if (read_vtp(frame).dimension == 1)
+      if (!options.range)
         plot_profile(frame, field, written.back());
       else
         plot_frame(frame, field, written.back(), options);
     }
   }
   if (written.empty())
-    throw std::runtime_error(
-        fmt::format("nothing to plot in '{}': no gauges.csv, sums.csv or particles.pvd with frames",
-                    run.string()));
+    throw bad_folder(run,
+                     "has nothing to plot: no gauges.csv, sums.csv or particles.pvd with frames");
   return written;
 }
 
