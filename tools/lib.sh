@@ -17,6 +17,30 @@ print_help() { sed -n '2,/^[^#]/{s/^# \{0,1\}//p}' "$1"; }
 # Warnings are errors in both: the compiler is the one that the packages name.
 build_options=(CMAKE_BUILD_TYPE=Release MORAINE_TESTS=ON "MORAINE_WERROR=${MORAINE_WERROR:-ON}")
 
+# Folder for the results of `moraine run CASE OPTIONS`: that of the last --output among the options, or
+# else out/<name of the case>: the name of the folder for a file "case.toml", the file's own for others.
+output_of() {
+  local path output
+  path=$(realpath -m -- "$1")
+  output=$(basename "$path")
+  output=${output%.*}
+  if [[ $output == case ]]; then output=$(basename "$(dirname "$path")"); fi
+  output="out/$output"
+  shift
+  while [[ $# -gt 0 ]]; do
+    case $1 in
+      -o | --output)
+        output=${2:-}
+        shift
+        ;;
+      --output=*) output=${1#--output=} ;;
+      -o?*) output=${1#-o} ;;
+    esac
+    shift
+  done
+  printf '%s\n' "$output"
+}
+
 cache_has() { grep -Eqs "^$1:[A-Z]*=$2\$" "$build/CMakeCache.txt"; }
 
 is_configured() {

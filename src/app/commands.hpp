@@ -6,8 +6,8 @@
 
 namespace moraine {
 
-/// Exit codes: 0 done, 1 a check failed or something unexpected, 2 bad input, 3 the run became
-/// unstable, 130 interrupted.
+/// Exit codes: 0 done, 1 a check failed or something unexpected, 2 bad input or options, 3 the run
+/// became unstable, 130 interrupted.
 enum ExitCode : int { done = 0, failed = 1, bad_input = 2, unstable = 3, interrupted = 130 };
 
 struct RunOptions {

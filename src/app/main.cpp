@@ -2,7 +2,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "base/input_error.hpp"
@@ -58,6 +62,19 @@ void add_verify(CLI::App& app, Options& options) {
       ->check(CLI::Range(0, 1024));
 }
 
+/// CLI11 says of an unknown command only that one is missing.
+void check_command(CLI::App const& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::string const wanted = argv[1];
+  std::vector<std::string> names;
+  for (auto const* command : app.get_subcommands([](CLI::App const*) { return true; }))
+    names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), wanted) != names.end()) return;
+  std::vector<std::string_view> const known(names.begin(), names.end());
+  throw moraine::InputErrors({{"moraine", 0, 0, "", fmt::format("\"{}\"", wanted),
+                               "is not a command", moraine::name_hint(wanted, known)}});
+}
+
 int dispatch(CLI::App const& app, Options const& options) {
   if (app.got_subcommand("run")) return moraine::run_case(options.run);
   if (app.got_subcommand("bench")) return moraine::run_bench(options.bench);
@@ -78,12 +95,11 @@ int main(int argc, char** argv) {
   add_bench(app, options);
   add_verify(app, options);
   try {
+    check_command(app, argc, argv);
     app.parse(argc, argv);
+    return dispatch(app, options);
   } catch (CLI::ParseError const& error) {
     return app.exit(error) == 0 ? 0 : moraine::ExitCode::bad_input;
-  }
-  try {
-    return dispatch(app, options);
   } catch (moraine::InputErrors const& errors) {
     fmt::print(stderr, "{}\n", errors.what());
     return moraine::ExitCode::bad_input;

@@ -1,9 +1,13 @@
 // moraine run: one case from start to end.
 #include <fmt/format.h>
 #include <omp.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstring>
+#include <exception>
 #include <filesystem>
 
 #include "app/commands.hpp"
@@ -21,13 +25,33 @@ namespace {
 
 volatile std::sig_atomic_t stop_requested = 0;
 
-void request_stop(int) { stop_requested = 1; }
+/// The first signal asks for a clean stop; the second finds the default handler and ends at once.
+void request_stop(int) {
+  stop_requested = 1;
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
 
+/// The rule of the function `output_of` in tools/lib.sh.
 std::string default_output(std::string const& case_file) {
-  auto const path = std::filesystem::absolute(case_file);
+  auto const path = std::filesystem::weakly_canonical(case_file);
   std::string const name =
       path.stem() == "case" ? path.parent_path().filename().string() : path.stem().string();
   return "out/" + name;
+}
+
+/// Refuses a folder for results that cannot be one, before anything is computed.
+void check_output(std::filesystem::path const& folder) {
+  auto const refuse = [&](std::string rule) {
+    throw InputErrors({{"moraine run", 0, 0, "--output", fmt::format("\"{}\"", folder.string()),
+                        std::move(rule), "choose another folder with --output"}});
+  };
+  std::filesystem::path place = std::filesystem::absolute(folder);
+  while (!std::filesystem::exists(place) && place.has_relative_path()) place = place.parent_path();
+  if (!std::filesystem::is_directory(place))
+    refuse(fmt::format("cannot be a folder: \"{}\" is a file", place.string()));
+  if (access(place.c_str(), W_OK | X_OK) != 0)
+    refuse(fmt::format("cannot be written: {}", std::strerror(errno)));
 }
 
 /// The simulation with its first rates; a start that no law can answer is a mistake of the case.
@@ -57,8 +81,10 @@ ProgressReport report(Simulation const& simulation) {
           simulation.vote().reason, simulation.particles().range(Kind::fluid).size()};
 }
 
-void say_end(Simulation const& simulation, std::string const& reason, double seconds,
-             std::string const& output) {
+void say_end(Simulation const& simulation, RunRecorder const& recorder, std::string const& reason,
+             double seconds, std::string const& output) {
+  Timers timers = simulation.timers();
+  timers.include(recorder.timers());
   fmt::print("\n{}: time {:.6g} s, {} steps in {:.2f} s\n", reason, simulation.time(),
              simulation.step(), seconds);
   if (simulation.lost().count > 0)
@@ -67,7 +93,20 @@ void say_end(Simulation const& simulation, std::string const& reason, double sec
   fmt::print(
       "\n{}\nresults in {}: particles.pvd (ParaView), gauges.csv, sums.csv; pictures: "
       "moraine plot {}\n",
-      timing_table(simulation.timers(), seconds), output, output);
+      timing_table(timers, seconds), output, output);
+}
+
+/// What is left to do when the run cannot go on: tell why, and keep what there is.
+int give_up(RunRecorder& recorder, Simulation const& simulation, std::string const& reason,
+            double seconds, ExitCode code) {
+  fmt::print(stderr, "{}\n", reason);
+  try {
+    auto const snapshot = recorder.give_up(simulation, reason, seconds);
+    fmt::print(stderr, "the particles as they were: {}\n", snapshot.string());
+  } catch (std::exception const& error) {
+    fmt::print(stderr, "nor could the particles be written: {}\n", error.what());
+  }
+  return code;
 }
 
 }  // namespace
@@ -79,6 +118,7 @@ int run_case(RunOptions const& options) {
   Case const c = read_case(options.case_file);
   std::string const output =
       options.output.empty() ? default_output(options.case_file) : options.output;
+  check_output(output);
   auto const start = Clock::now();
   auto const seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
 
@@ -96,15 +136,18 @@ int run_case(RunOptions const& options) {
     }
   } catch (SimulationError const& error) {
     progress.clear();
-    auto const snapshot = recorder.give_up(simulation, error.what(), seconds());
-    fmt::print(stderr, "{}\nthe particles as they were: {}\n", error.what(), snapshot.string());
-    return ExitCode::unstable;
+    return give_up(recorder, simulation, error.what(), seconds(), ExitCode::unstable);
+  } catch (std::exception const& error) {  // no memory, no room on the disk: not the physics
+    progress.clear();
+    std::string const reason = fmt::format("the run stopped at time {:.6g} s, step {}: {}",
+                                           simulation.time(), simulation.step(), error.what());
+    return give_up(recorder, simulation, reason, seconds(), ExitCode::failed);
   }
   progress.finish();
   bool const stopped = stop_requested != 0;
   std::string const reason = stopped ? "interrupted" : "end time reached";
   recorder.finish(simulation, reason, seconds());
-  say_end(simulation, reason, seconds(), output);
+  say_end(simulation, recorder, reason, seconds(), output);
   return stopped ? ExitCode::interrupted : ExitCode::done;
 }
 
