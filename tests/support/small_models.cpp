@@ -33,7 +33,7 @@ Model walled_random_box(RandomBox const& box, double end) {
   return model;
 }
 
-Model small_dam_break(int dimension, Precision precision, double end) {
+Model small_dam_break(int dimension, Precision precision, double end, double spacing) {
   Case c;
   c.dimension = dimension;
   auto const up = static_cast<std::size_t>(dimension - 1);
@@ -43,7 +43,7 @@ Model small_dam_break(int dimension, Precision precision, double end) {
   column.max[up] = 0.3;
   c.domain = {{-1.0, -1.0, -1.0}, {2.0, 2.0, 2.0}};
   c.gravity[up] = -9.81;
-  c.numerics.spacing = 0.02;
+  c.numerics.spacing = spacing;
   c.numerics.viscosity_alpha = 0.1;
   c.numerics.viscosity_beta = 0.0;
   c.numerics.density_diffusion = 0.1;
@@ -58,6 +58,33 @@ Model small_dam_break(int dimension, Precision precision, double end) {
   wall.box = tank;
   c.walls = {wall};
   return build_model(c);
+}
+
+Model blast_in_periodic_water(int dimension, int side, Precision precision,
+                              ContinuityForm continuity) {
+  Case c;
+  c.dimension = dimension;
+  c.numerics.spacing = 0.01;
+  double const half = 0.5 * side * c.numerics.spacing;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
+    c.domain.min[axis] = -half;
+    c.domain.max[axis] = half;
+    c.periodic[axis] = true;
+  }
+  c.numerics.precision = precision;
+  c.numerics.continuity = continuity;
+  c.time.end = 1.0;
+  c.materials = {{"water", WaterPolynomial{}}, {"tnt", Jwl{}}};
+  c.regions = {{"sea", "water", c.domain, {}}, {"charge", "tnt", Disc{{}, 0.25 * half}, {}}};
+  return build_model(c);
+}
+
+void stir(Model& model, double speed) {
+  ParticleStore& store = model.particles;
+  for (int axis = 0; axis < model.dimension; ++axis)
+    for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i)
+      store.component(Field::velocity, axis)[i] +=
+          speed * std::sin(static_cast<double>(7 * store.id()[i] + 3) + axis);
 }
 
 std::vector<double> state_by_id(ParticleStore const& store) {

@@ -14,8 +14,16 @@ namespace moraine {
 /// walls and the others repeat.
 Model walled_random_box(RandomBox const& box, double end);
 
-/// A column of Tait water (spacing 2 cm, 0.4 m x 0.3 m, in 3D 0.2 m deep) in a tank of 0.8 m.
-Model small_dam_break(int dimension, Precision precision, double end);
+/// A column of Tait water (0.4 m x 0.3 m, in 3D 0.2 m deep) in a tank of 0.8 m. spacing in m.
+Model small_dam_break(int dimension, Precision precision, double end, double spacing = 0.02);
+
+/// A charge of TNT in the middle of a box of water, `side` particles of 1 cm along each edge, with
+/// periodic sides.
+Model blast_in_periodic_water(int dimension, int side, Precision precision,
+                              ContinuityForm continuity);
+
+/// Adds velocities of up to `speed` [m/s] along each axis that differ from particle to particle.
+void stir(Model& model, double speed);
 
 /// All fields of all fluid particles in the order of their ids: the state, whatever the order in
 /// memory.
