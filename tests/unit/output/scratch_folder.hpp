@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -15,9 +16,10 @@ class ScratchFolder : public ::testing::Test {
  protected:
   void SetUp() override {
     auto const* const info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() /
-              (std::string("moraine_") + info->test_suite_name() + "_" + info->name() + "_" +
-               std::to_string(getpid()));
+    std::string name = std::string("moraine_") + info->test_suite_name() + "_" + info->name() +
+                       "_" + std::to_string(getpid());
+    std::replace(name.begin(), name.end(), '/', '_');  // of tests with parameters
+    folder_ = std::filesystem::temp_directory_path() / name;
     std::filesystem::create_directories(folder_);
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
