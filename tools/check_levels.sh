@@ -3,6 +3,10 @@
 #
 # Includes flow one way: a file includes only files of its own or a lower level. Prints file:line of
 # every include that does not and fails. A file's room is the first folder of its path below src/.
+#
+# The folders beside src (tests, verify, bench) are above all levels: their files include anything of
+# src and files of their own folder, named from src/, from their folder or from beside themselves.
+# They include nothing of each other, and src includes nothing of them.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
@@ -59,6 +63,28 @@ check_levels() {
   say "levels: ${#files[@]} files include only their own or lower levels"
 }
 
+# Prints every quoted include below ROOT/{tests,verify,bench} that is no file of src or of the
+# folder itself.
+check_beside() {
+  local tree=$1 folder file line target count=0 failures=0
+  for folder in tests verify bench; do
+    while IFS= read -r file; do
+      count=$((count + 1))
+      while IFS=: read -r line target; do
+        target=${target#*\"}
+        target=${target%%\"*}
+        if [[ $target != *..* && (-e $tree/src/$target || -e $tree/$folder/$target ||
+          -e $(dirname "$file")/$target) ]]; then continue; fi
+        printf '%s:%s: "%s" is no file below src/ or %s/\n' "${file#"$tree/"}" "$line" "$target" \
+          "$folder"
+        failures=$((failures + 1))
+      done < <(grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*"' "$file")
+    done < <(find "$tree/$folder" -type f -regex '.*\.\(h\|hpp\|cpp\|cu\|cuh\)' 2>/dev/null | sort)
+  done
+  if [[ $failures -gt 0 ]]; then return 1; fi
+  say "levels: $count files beside src include only src and their own folder"
+}
+
 # Makes src/FILE with one include after a first line and checks the outcome.
 expect() {
   local outcome=$1 file=$2 include=$3 folder output status=0
@@ -73,7 +99,34 @@ expect() {
   esac || fail "self-test: $file with $include should be $outcome; got: $output"
 }
 
+# Makes FILE with one include in a tree that has src/base/text.hpp, tests/support/model.hpp and
+# bench/state.hpp, and checks the outcome.
+expect_beside() {
+  local outcome=$1 file=$2 include=$3 tree output status=0
+  tree=$(mktemp -d)
+  mkdir -p "$tree"/{src/base,tests/support,verify,bench} "$tree/$(dirname "$file")"
+  touch "$tree"/{src/base/text.hpp,tests/support/model.hpp,bench/state.hpp}
+  printf '#pragma once\n#include %s\n' "$include" >"$tree/$file"
+  output=$(check_beside "$tree" 2>&1) || status=$?
+  rm -r "$tree"
+  case $outcome in
+    allowed) [[ $status -eq 0 ]] ;;
+    refused) [[ $status -ne 0 && $output == *"$file:2:"* ]] ;;
+  esac || fail "self-test: $file with $include should be $outcome; got: $output"
+}
+
 self_test() {
+  expect_beside allowed tests/unit/text_test.cpp '"base/text.hpp"'
+  expect_beside allowed tests/unit/text_test.cpp '"support/model.hpp"'
+  expect_beside allowed tests/support/other.cpp '"model.hpp"'
+  expect_beside allowed tests/unit/text_test.cpp '<gtest/gtest.h>'
+  expect_beside allowed verify/exact/sod/check.cpp '"base/text.hpp"'
+  expect_beside refused verify/exact/sod/check.cpp '"support/model.hpp"'
+  expect_beside refused tests/unit/text_test.cpp '"state.hpp"'
+  expect_beside refused bench/parts.cpp '"../tests/support/model.hpp"'
+  expect_beside refused tests/unit/text_test.cpp '"attic/text.hpp"'
+  expect refused base/text.hpp '"support/model.hpp"'
+  expect refused verify/check.cpp '"tests/support/model.hpp"'
   expect allowed step/loop.hpp '"terms/pair.hpp"'
   expect allowed store/particles.hpp '"matter/eos/eos.hpp"'
   expect allowed base/text.hpp '<string>'
@@ -91,5 +144,11 @@ self_test() {
 
 case ${1:-} in
   --self-test) self_test ;;
-  *) check_levels "${1:-$root/src}" ;;
+  "")
+    status=0
+    (check_levels "$root/src") || status=1
+    check_beside "$root" || status=1
+    exit $status
+    ;;
+  *) check_levels "$1" ;;
 esac
