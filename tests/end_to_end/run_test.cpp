@@ -93,6 +93,17 @@ TEST_F(RunCommand, WritesWhatItPromises) {
   EXPECT_FALSE(std::filesystem::exists(path("result/unstable.vtp")));
 }
 
+// Into a file, progress is whole lines: one at each tenth, no bar that is redrawn.
+TEST_F(RunCommand, LogsProgressInLines) {
+  CommandResult const result = run(small_case());
+  ASSERT_EQ(result.code, 0);
+  for (char const c : {'\r', '\x1b'}) EXPECT_EQ(result.err.find(c), std::string::npos);
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 10) << result.err;
+  EXPECT_NE(result.err.find(" 50 %  t = "), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("100 %  t = 20.00 ms"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("(sound and viscosity)"), std::string::npos) << result.err;
+}
+
 TEST_F(RunCommand, ManifestSaysHowItWas) {
   ASSERT_EQ(run(small_case()).code, 0);
   auto const json = manifest();
