@@ -37,7 +37,7 @@ void DisplacementBound::reset(CellPoints const& fluid, CellPoints const& walls, 
     high[axis] = static_cast<Units>(std::min(2147483000.0, low[axis] + extent));
   }
   // No more cells than the fine grid has, however far single particles lie from the others.
-  std::size_t const most_cells = std::max<std::size_t>(4096, fluid.shape.size());
+  std::size_t const most_cells = std::max<std::size_t>(4096, fine.size());
   coarse_ = GridShape::over(low, high, dimension_, coarse_edge, most_cells);
 
   auto const at = [&](auto const& x, std::size_t i) {
