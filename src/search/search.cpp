@@ -152,8 +152,8 @@ void Search::mix_images(ParticleStore const& store, Kind kind) {
   Range const range = store.range(kind);
   auto const id = store.id().subspan(range.begin, range.size());
   auto const dimension = static_cast<std::size_t>(settings_.dimension);
-  std::vector<std::uint64_t> key(id.begin(), id.end());
-  std::array<std::vector<Units>, 3> x;
+  auto& [x, key] = mixing_;
+  key.assign(id.begin(), id.end());
   UnitSpans const owned = p.spans();
   for (std::size_t axis = 0; axis < dimension; ++axis)
     x[axis].assign(owned[axis].begin(), owned[axis].end());
@@ -281,9 +281,10 @@ void Search::collect_neighbours() {
 }
 
 std::size_t Search::bytes() const {
-  std::size_t sum = fluid_fluid_.bytes() + fluid_wall_.bytes() + wall_fluid_.bytes() +
-                    displacement_.bytes() + sort_by_cells_.bytes() +
-                    wet_walls_.capacity() * sizeof(std::uint32_t);
+  std::size_t sum = mixing_.key.capacity() * sizeof(std::uint64_t) + fluid_fluid_.bytes() +
+                    fluid_wall_.bytes() + wall_fluid_.bytes() + displacement_.bytes() +
+                    sort_by_cells_.bytes() + wet_walls_.capacity() * sizeof(std::uint32_t);
+  for (auto const& axis : mixing_.x) sum += axis.capacity() * sizeof(Units);
   for (Points const& p : points_) {
     sum += p.grid.bytes() + p.images.capacity() * sizeof(Image) +
            p.mixed_index.capacity() * sizeof(std::uint32_t);

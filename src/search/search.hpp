@@ -113,6 +113,10 @@ class Search {
   DisplacementBound::Largest seen_;
   Skins skins_;
   CellSort sort_by_cells_;
+  struct {
+    std::array<std::vector<Units>, 3> x;
+    std::vector<std::uint64_t> key;
+  } mixing_;                 // owned points and images before they are sorted
   double wall_reach_ = 0.0;  // units, when the walls were sorted
   std::vector<std::uint32_t> wet_walls_;
   std::uint64_t steps_since_rebuild_ = 0;

@@ -15,7 +15,7 @@
 namespace moraine {
 namespace {
 
-class Recorder : public ScratchFolder {
+class RecorderFolder : public ScratchFolder {
  protected:
   /// A run of ten fixed steps of 1 ms with rows each `interval`, ended after `steps`.
   void run(std::string const& interval, int steps) {
@@ -45,7 +45,7 @@ class Recorder : public ScratchFolder {
   std::vector<std::uint64_t> calls_;
 };
 
-TEST_F(Recorder, WritesTheLastRowsOnce) {
+TEST_F(RecorderFolder, WritesTheLastRowsOnce) {
   for (auto const& [interval, steps, rows] :
        {std::tuple("0.004", 10, 4U), std::tuple("0.005", 10, 3U), std::tuple("0", 3, 4U),
         std::tuple("0.004", 6, 3U)}) {
@@ -59,12 +59,12 @@ TEST_F(Recorder, WritesTheLastRowsOnce) {
   }
 }
 
-TEST_F(Recorder, TimesWhatItWrites) {
+TEST_F(RecorderFolder, TimesWhatItWrites) {
   run("0", 5);
   EXPECT_EQ(calls_, (std::vector<std::uint64_t>{2, 6, 6}));  // frames, gauges, sums
 }
 
-TEST_F(Recorder, ClearsItsOwnPicturesOnly) {
+TEST_F(RecorderFolder, ClearsItsOwnPicturesOnly) {
   std::vector<std::string> const ours{"histories.svg", "sums.png", "pressure_particles_000012.png",
                                       "velocity_x_particles_000000.png"};
   std::vector<std::string> const others{"sums.txt", "my_sums.png", "pressure_particles_12.png",

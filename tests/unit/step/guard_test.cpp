@@ -51,11 +51,13 @@ TEST(Guard, NamesTheParticleThatIsNoNumber) {
         -std::numeric_limits<double>::infinity()}) {
     Model energy = scattered();
     energy.particles.scalar(Field::specific_energy)[6] = bad;
-    expect_named(complaint(energy, 0), "velocity, density or energy is not a finite number");
+    expect_named(complaint(energy, 0),
+                 "velocity, density, energy or acceleration is not a finite number");
     for (int axis = 0; axis < 2; ++axis) {
       Model velocity = scattered();
       velocity.particles.component(Field::velocity, axis)[6] = bad;
-      expect_named(complaint(velocity, 0), "velocity, density or energy is not a finite number");
+      expect_named(complaint(velocity, 0),
+                   "velocity, density, energy or acceleration is not a finite number");
     }
   }
 }
