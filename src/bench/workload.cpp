@@ -80,14 +80,10 @@ constexpr Workload list[] = {
      .make = dam_break_3d<9300>},
     {.name = "dam-break-3d-1e6",
      .description = "scaling with size: 994 635 particles",
-     .make = dam_break_3d<4300>,
-     .warm_up = 20,
-     .steps = 100},
+     .make = dam_break_3d<4300>},
     {.name = "dam-break-3d-4e6",
      .description = "scaling with size: 4 074 144 particles",
-     .make = dam_break_3d<2700>,
-     .warm_up = 10,
-     .steps = 30},
+     .make = dam_break_3d<2700>},
 };
 
 }  // namespace

@@ -45,7 +45,7 @@ TEST_F(Commands, PlotDrawsARun) {
 
 TEST_F(Commands, PlotFailsWithoutARun) {
   CommandResult const result = call({"plot", "nowhere"});
-  EXPECT_EQ(result.code, 1);
+  EXPECT_EQ(result.code, 2);
   EXPECT_NE(result.err.find("nowhere"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(path("nowhere")));
 }
