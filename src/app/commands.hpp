@@ -7,15 +7,29 @@
 namespace moraine {
 
 /// Exit codes: 0 done, 1 a check failed or something unexpected, 2 bad input or options, 3 the run
-/// became unstable, 130 interrupted.
-enum ExitCode : int { done = 0, failed = 1, bad_input = 2, unstable = 3, interrupted = 130 };
+/// became unstable, 4 results could not be written, 130 interrupted.
+enum ExitCode : int {
+  done = 0,
+  failed = 1,
+  bad_input = 2,
+  unstable = 3,
+  not_written = 4,
+  interrupted = 130
+};
 
 struct RunOptions {
   std::string case_file;
   std::string output;
-  int threads = 0;  // 0: all
+  int threads = 0;     // 0: all
+  bool force = false;  // replace the results of another run
 };
 int run_case(RunOptions const& options);
+
+struct ResumeOptions {
+  std::string folder;
+  int threads = 0;  // 0: all
+};
+int resume_run(ResumeOptions const& options);
 
 struct PlotOptions {
   std::string folder;

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <string>
 #include <string_view>
@@ -10,11 +11,13 @@
 
 #include "app/commands.hpp"
 #include "base/input_error.hpp"
+#include "output/output_error.hpp"
 
 namespace {
 
 struct Options {
   moraine::RunOptions run;
+  moraine::ResumeOptions resume;
   moraine::PlotOptions plot;
   moraine::BenchOptions bench;
   moraine::VerifyOptions verify;
@@ -25,7 +28,16 @@ void add_run(CLI::App& app, Options& options) {
   command->add_option("case", options.run.case_file, "case file (TOML)")->required();
   command->add_option("--output,-o", options.run.output,
                       "folder for results (default: out/<name of the case>)");
+  command->add_flag("--force", options.run.force, "replace the results of an earlier run");
   command->add_option("--threads,-t", options.run.threads, "number of threads (default: all)")
+      ->check(CLI::Range(0, 1024));
+}
+
+void add_resume(CLI::App& app, Options& options) {
+  auto* command =
+      app.add_subcommand("resume", "go on with a run that was stopped, from its last checkpoint");
+  command->add_option("folder", options.resume.folder, "folder of a run")->required();
+  command->add_option("--threads,-t", options.resume.threads, "number of threads (default: all)")
       ->check(CLI::Range(0, 1024));
 }
 
@@ -77,6 +89,7 @@ void check_command(CLI::App const& app, int argc, char** argv) {
 
 int dispatch(CLI::App const& app, Options const& options) {
   if (app.got_subcommand("run")) return moraine::run_case(options.run);
+  if (app.got_subcommand("resume")) return moraine::resume_run(options.resume);
   if (app.got_subcommand("bench")) return moraine::run_bench(options.bench);
   if (app.got_subcommand("verify")) return moraine::run_verify(options.verify);
   return moraine::plot_folder(options.plot);
@@ -85,12 +98,14 @@ int dispatch(CLI::App const& app, Options const& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is an error of writing
   CLI::App app{
       "Moraine: particles for extreme events in civil, geotechnical and ocean engineering"};
   app.set_version_flag("--version", MORAINE_VERSION);
   app.require_subcommand(1);
   Options options;
   add_run(app, options);
+  add_resume(app, options);
   add_plot(app, options);
   add_bench(app, options);
   add_verify(app, options);
@@ -103,6 +118,9 @@ int main(int argc, char** argv) {
   } catch (moraine::InputErrors const& errors) {
     fmt::print(stderr, "{}\n", errors.what());
     return moraine::ExitCode::bad_input;
+  } catch (moraine::OutputError const& error) {
+    fmt::print(stderr, "moraine: {}\n", error.what());
+    return moraine::ExitCode::not_written;
   } catch (std::exception const& error) {
     fmt::print(stderr, "moraine: {}\n", error.what());
     return moraine::ExitCode::failed;

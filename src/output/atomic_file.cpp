@@ -5,23 +5,24 @@
 
 #include <cerrno>
 #include <cstring>
-#include <stdexcept>
 #include <system_error>
 #include <utility>
+
+#include "output/output_error.hpp"
 
 namespace moraine {
 namespace {
 
 [[noreturn]] void fail(char const* what, std::filesystem::path const& path) {
-  throw std::runtime_error(std::string(what) + " '" + path.string() + "': " + std::strerror(errno));
+  throw OutputError(std::string(what) + " '" + path.string() + "': " + std::strerror(errno));
 }
 
 void rename_to(std::filesystem::path const& from, std::filesystem::path const& to) {
   std::error_code error;
   std::filesystem::rename(from, to, error);
   if (error)
-    throw std::runtime_error("cannot rename '" + from.string() + "' to '" + to.string() +
-                             "': " + error.message());
+    throw OutputError("cannot rename '" + from.string() + "' to '" + to.string() +
+                      "': " + error.message());
 }
 
 }  // namespace

@@ -8,20 +8,20 @@
 
 namespace moraine {
 
-/// Writes a file. Throws std::runtime_error naming the path, with the system's words (disk full).
+/// Writes a file. Throws OutputError naming the path, with the system's words (disk full).
 void write_file(std::filesystem::path const& path, std::span<char const> bytes);
 
 /// Waits until a file's content, or a folder's list of files, is on the disk (fsync). Throws
-/// std::runtime_error naming the path.
+/// OutputError naming the path.
 void sync_to_disk(std::filesystem::path const& path);
 
 /// Renames a finished file so that after a loss of power there is the old file or the whole new
-/// one: content first, then name, then folder are handed to the disk. Throws std::runtime_error.
+/// one: content first, then name, then folder are handed to the disk. Throws OutputError.
 void publish(std::filesystem::path const& temporary, std::filesystem::path const& path);
 
 /// Writes to `<path>.tmp` and renames it to `path` on commit, so that a reader (or a killed run)
 /// never meets half a file. Missing parent folders are made. Without commit the temporary file is
-/// removed. Throws std::runtime_error naming the path when opening, writing or renaming fails.
+/// removed. Throws OutputError naming the path when opening, writing or renaming fails.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);

@@ -60,8 +60,14 @@ void write_manifest(std::filesystem::path const& path, Manifest const& manifest)
       {"case_sha256", manifest.case_sha256},
       {"start_time_utc", manifest.start_time},
       {"particles_at_start", manifest.particles},
+      {"resumed_at_steps", manifest.resumed_at_steps},
       {"state", manifest.end ? "ended" : "running"},
   };
+  for (StageEvent const& event : manifest.stages)
+    json["stages"].push_back({{"name", event.stage},
+                              {"time_s", event.time},
+                              {"step", event.step},
+                              {"cause", event.cause}});
   if (manifest.end) {
     json["end"] = {{"reason", manifest.end->reason},
                    {"wall_time_s", manifest.end->wall_time},

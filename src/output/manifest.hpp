@@ -5,6 +5,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "step/stages.hpp"
 
 namespace moraine {
 
@@ -39,7 +42,9 @@ struct Manifest {
   std::string case_sha256;      // digest of the case file's bytes
   std::string start_time;       // UTC, ISO 8601, see utc_now
   std::uint64_t particles = 0;  // at the start, walls included
-  std::optional<RunEnd> end;    // absent while the run goes on
+  std::vector<std::uint64_t> resumed_at_steps;
+  std::vector<StageEvent> stages;  // that have begun
+  std::optional<RunEnd> end;       // absent while the run goes on
 };
 
 /// The time now as `2026-01-31T12:34:56Z`.

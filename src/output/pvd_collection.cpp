@@ -15,6 +15,10 @@ PvdCollection::PvdCollection(std::filesystem::path path, std::vector<PvdEntry> e
 
 void PvdCollection::add(double time, std::string file) {
   entries_.push_back({time, std::move(file)});
+  write();
+}
+
+void PvdCollection::write() const {
   pugi::xml_document document;
   pugi::xml_node root = document.append_child("VTKFile");
   root.append_attribute("type") = "Collection";

@@ -20,8 +20,13 @@ class PvdCollection {
   /// `entries`: frames that are there already (for a run that goes on from a checkpoint).
   explicit PvdCollection(std::filesystem::path path, std::vector<PvdEntry> entries = {});
 
-  /// Adds a frame and rewrites the file. Throws std::runtime_error if it cannot be written.
+  std::vector<PvdEntry> const& entries() const { return entries_; }
+
+  /// Adds a frame and rewrites the file. Throws OutputError if it cannot be written.
   void add(double time, std::string file);
+
+  /// Writes the file with the frames as they are.
+  void write() const;
 
  private:
   std::filesystem::path path_;

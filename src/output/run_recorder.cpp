@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
 
 #include "output/atomic_file.hpp"
-#include "output/plot/plot.hpp"
+#include "output/run_folder.hpp"
 #include "output/vtp_writer.hpp"
 #include "probes/point_probe.hpp"
 #include "setup/used_case.hpp"
@@ -57,25 +56,10 @@ MaterialId material_of(Case const& c, std::string const& name) {
   return static_cast<MaterialId>(found - c.materials.begin());
 }
 
-bool is_frame(std::string const& file_name) {
-  static std::regex const pattern("particles_[0-9]{6,}\\.vtp");
-  return std::regex_match(file_name, pattern);
-}
-
-/// The folder, without the frames, the pictures and the snapshot that an earlier run left in it;
-/// other files stay.
-std::filesystem::path prepared(std::filesystem::path folder) {
-  std::filesystem::create_directories(folder / "frames");
-  std::vector<std::filesystem::path> old{folder / "unstable.vtp"};
-  auto const collect = [&](std::filesystem::path const& place, auto const& ours) {
-    if (!std::filesystem::is_directory(place)) return;
-    for (auto const& entry : std::filesystem::directory_iterator(place))
-      if (ours(entry.path().filename().string())) old.push_back(entry.path());
-  };
-  collect(folder / "frames", is_frame);
-  collect(folder / "plots", is_picture_of_run);
-  for (auto const& file : old) std::filesystem::remove(file);
-  return folder;
+std::vector<PvdEntry> frames_at(std::vector<double> const& times) {
+  std::vector<PvdEntry> frames;
+  for (double const time : times) frames.push_back({time, frame_name(frames.size())});
+  return frames;
 }
 
 }  // namespace
@@ -100,7 +84,7 @@ bool Schedule::due(double time) {
 RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::filesystem::path folder,
                          int threads)
     : case_(c),
-      folder_(prepared(std::move(folder))),
+      folder_(std::move(folder)),
       frames_(folder_ / "particles.pvd"),
       gauges_(folder_ / "gauges.csv", gauge_columns(c)),
       sums_(folder_ / "sums.csv", sums_columns()),
@@ -110,28 +94,90 @@ RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::files
   AtomicFile used(folder_ / "case.used.toml");
   used.stream() << used_case(c);
   used.commit();
-  manifest_.build = build_info();
-  manifest_.threads = threads;
-  manifest_.precision = c.numerics.precision == Precision::mixed ? "mixed" : "double";
   manifest_.case_file = c.file;
   manifest_.case_sha256 = file_sha256(c.file);
   manifest_.start_time = utc_now();
   manifest_.particles = simulation.particles().size();
-  write_manifest(folder_ / "manifest.json", manifest_);
+  manifest_.stages = simulation.stage_events();
+  write_start(threads);
   if (simulation.particles().range(Kind::wall).size() > 0)
     write_vtp(folder_ / "walls.vtp", simulation.particles(), Kind::wall, 0.0);
   else
     std::filesystem::remove(folder_ / "walls.vtp");
-  frame_schedule_.due(0.0);
+  pass_schedules(0.0);
   write_frame(simulation);
-  gauge_schedule_.due(0.0);
   write_gauges(simulation);
-  sums_schedule_.due(0.0);
   write_sums(simulation);
+}
+
+RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::filesystem::path folder,
+                         int threads, RecorderState const& saved)
+    : case_(c),
+      folder_(std::move(folder)),
+      manifest_(saved.manifest),
+      frames_(folder_ / "particles.pvd", frames_at(saved.frame_times)),
+      gauges_(folder_ / "gauges.csv", gauge_columns(c), saved.gauges_size),
+      sums_(folder_ / "sums.csv", sums_columns(), saved.sums_size),
+      frame_schedule_(c.output.frame_interval, c.output.frame_times, false),
+      gauge_schedule_(c.output.gauge_interval, {}, c.output.gauge_interval <= 0.0),
+      sums_schedule_(c.output.sums_interval, {}, c.output.sums_interval <= 0.0),
+      synced_frames_(saved.frame_times.size()),
+      last_gauge_time_(saved.last_gauge_time),
+      last_sums_time_(saved.last_sums_time) {
+  drop_frames(folder_, saved.frame_times.size());
+  frames_.write();
+  manifest_.resumed_at_steps.push_back(simulation.step());
+  manifest_.stages = simulation.stage_events();
+  write_start(threads);
+  pass_schedules(simulation.time());
+}
+
+void RunRecorder::write_start(int threads) {
+  manifest_.build = build_info();
+  manifest_.threads = threads;
+  manifest_.precision = case_.numerics.precision == Precision::mixed ? "mixed" : "double";
+  write_manifest(folder_ / "manifest.json", manifest_);
+}
+
+/// What is due at a time has been written. So what a schedule knows is a function of time alone.
+void RunRecorder::pass_schedules(double time) {
+  for (Schedule* schedule : {&frame_schedule_, &gauge_schedule_, &sums_schedule_})
+    schedule->due(time);
+}
+
+RecorderState RunRecorder::state() const {
+  RecorderState state;
+  state.manifest = manifest_;
+  for (PvdEntry const& frame : frames_.entries()) state.frame_times.push_back(frame.time);
+  state.gauges_size = gauges_.size();
+  state.sums_size = sums_.size();
+  state.last_gauge_time = last_gauge_time_;
+  state.last_sums_time = last_sums_time_;
+  return state;
+}
+
+void RunRecorder::sync() {
+  for (TableCsv const* table : {&gauges_, &sums_}) sync_to_disk(table->path());
+  for (; synced_frames_ < frames_.entries().size(); ++synced_frames_)
+    sync_to_disk(folder_ / frame_name(synced_frames_));
+}
+
+void RecorderState::exchange(Archive& archive) {
+  archive.array("output/frame_times", "s", frame_times);
+  archive.number("output/gauges_size", gauges_size);
+  archive.number("output/sums_size", sums_size);
+  archive.number("output/last_gauge_time", last_gauge_time);
+  archive.number("output/last_sums_time", last_sums_time);
+  archive.text("output/case_file", manifest.case_file);
+  archive.text("output/case_sha256", manifest.case_sha256);
+  archive.text("output/start_time", manifest.start_time);
+  archive.number("output/particles_at_start", manifest.particles);
+  archive.array("output/resumed_at_steps", "", manifest.resumed_at_steps);
 }
 
 void RunRecorder::tell(Simulation const& simulation) {
   double const time = simulation.time();
+  if (simulation.stage_events().size() > manifest_.stages.size()) write_stages(simulation);
   if (frame_schedule_.due(time)) write_frame(simulation);
   if (gauge_schedule_.due(time)) write_gauges(simulation);
   if (sums_schedule_.due(time)) write_sums(simulation);
@@ -140,7 +186,7 @@ void RunRecorder::tell(Simulation const& simulation) {
 void RunRecorder::finish(Simulation const& simulation, std::string const& reason,
                          double wall_time) {
   double const time = simulation.time();
-  if (time > last_frame_time_) write_frame(simulation);
+  if (time > frames_.entries().back().time) write_frame(simulation);
   if (time > last_gauge_time_) write_gauges(simulation);
   if (time > last_sums_time_) write_sums(simulation);
   write_end(simulation, reason, wall_time);
@@ -161,12 +207,16 @@ void RunRecorder::write_end(Simulation const& simulation, std::string const& rea
   write_manifest(folder_ / "manifest.json", manifest_);
 }
 
+void RunRecorder::write_stages(Simulation const& simulation) {
+  manifest_.stages = simulation.stage_events();
+  write_manifest(folder_ / "manifest.json", manifest_);
+}
+
 void RunRecorder::write_frame(Simulation const& simulation) {
   ScopedTimer const timing(timers_, frame_timer_);
-  std::string const name = fmt::format("frames/particles_{:06}.vtp", frame_count_++);
+  std::string const name = frame_name(frames_.entries().size());
   write_vtp(folder_ / name, simulation.particles(), Kind::fluid, simulation.time());
   frames_.add(simulation.time(), name);
-  last_frame_time_ = simulation.time();
 }
 
 void RunRecorder::write_gauges(Simulation const& simulation) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/timer.hpp"
 #include "output/manifest.hpp"
 #include "output/pvd_collection.hpp"
@@ -32,13 +33,34 @@ class Schedule {
   std::size_t next_listed_ = 0;
 };
 
+/// What a recorder must know to go on where another one was: how much had been written.
+struct RecorderState {
+  std::vector<double> frame_times;  // s
+  std::uint64_t gauges_size = 0;    // bytes
+  std::uint64_t sums_size = 0;
+  double last_gauge_time = -1.0;  // s
+  double last_sums_time = -1.0;
+  Manifest manifest;  // of the start
+
+  void exchange(Archive& archive);
+};
+
 /// Writes frames, gauges, conserved sums, the used case and the manifest of one run.
 class RunRecorder {
  public:
-  /// Makes the folder, clears frames, tables and pictures of an earlier run in it, writes the used
-  /// case, the manifest, the walls and the state at the start.
+  /// Writes the used case, the manifest, the walls and the state at the start into a folder made by
+  /// make_run_folder. Throws OutputError, like all below, where something cannot be written.
   RunRecorder(Case const& c, Simulation const& simulation, std::filesystem::path folder,
               int threads);
+
+  /// Goes on in a folder as it was when `saved` was the state: what was written later is dropped.
+  RunRecorder(Case const& c, Simulation const& simulation, std::filesystem::path folder,
+              int threads, RecorderState const& saved);
+
+  RecorderState state() const;
+
+  /// Hands what has been written to the disk.
+  void sync();
 
   /// Call after each step.
   void tell(Simulation const& simulation);
@@ -56,7 +78,10 @@ class RunRecorder {
   Timers const& timers() const { return timers_; }
 
  private:
+  void write_start(int threads);
+  void pass_schedules(double time);
   void write_end(Simulation const& simulation, std::string const& reason, double wall_time);
+  void write_stages(Simulation const& simulation);
   void write_frame(Simulation const& simulation);
   void write_gauges(Simulation const& simulation);
   void write_sums(Simulation const& simulation);
@@ -72,8 +97,7 @@ class RunRecorder {
   int frame_timer_ = timers_.add("write frames");
   int gauge_timer_ = timers_.add("gauges");
   int sums_timer_ = timers_.add("sums");
-  std::size_t frame_count_ = 0;
-  double last_frame_time_ = -1.0;
+  std::size_t synced_frames_ = 0;
   double last_gauge_time_ = -1.0;
   double last_sums_time_ = -1.0;
 };

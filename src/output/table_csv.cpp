@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <iterator>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
+
+#include "output/output_error.hpp"
 
 namespace moraine {
 namespace {
@@ -77,6 +81,18 @@ TableCsv::TableCsv(std::filesystem::path path, std::vector<TableColumn> columns)
   write_line();
 }
 
+TableCsv::TableCsv(std::filesystem::path path, std::vector<TableColumn> columns, std::uint64_t size)
+    : path_(std::move(path)), columns_(std::move(columns)), size_(size) {
+  std::error_code error;
+  auto const found = std::filesystem::file_size(path_, error);
+  if (error || found < size)
+    throw OutputError(
+        fmt::format("'{}' is missing or shorter than it was at the checkpoint", path_.string()));
+  std::filesystem::resize_file(path_, size, error);
+  stream_.open(path_, std::ios::binary | std::ios::app);
+  if (error || !stream_) throw OutputError(fmt::format("cannot go on with '{}'", path_.string()));
+}
+
 void TableCsv::add(std::span<double const> row) {
   if (row.size() != columns_.size())
     throw std::invalid_argument(fmt::format("{}: a row of {} values for {} columns", path_.string(),
@@ -91,8 +107,11 @@ void TableCsv::add(std::span<double const> row) {
 
 void TableCsv::write_line() {
   line_ += '\n';
+  errno = 0;
   stream_.write(line_.data(), static_cast<std::streamsize>(line_.size())).flush();
-  if (!stream_) throw std::runtime_error(fmt::format("cannot write '{}'", path_.string()));
+  if (!stream_)
+    throw OutputError(fmt::format("cannot write '{}': {}", path_.string(), std::strerror(errno)));
+  size_ += line_.size();
 }
 
 std::vector<double> const* Table::find(std::string_view name) const {

@@ -1,6 +1,7 @@
 // Time series as CSV text: one header line with names and units, then one row per sample.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <span>
@@ -22,14 +23,20 @@ struct TableColumn {
 class TableCsv {
  public:
   /// Starts a new file (an old one is replaced; missing folders are made).
-  /// Throws std::runtime_error if it cannot be written.
+  /// Throws OutputError if it cannot be written.
   TableCsv(std::filesystem::path path, std::vector<TableColumn> columns);
 
+  /// Goes on with a file as it was when it had `size` bytes; rows behind that are cut off. Throws
+  /// OutputError if the file is shorter or cannot be written.
+  TableCsv(std::filesystem::path path, std::vector<TableColumn> columns, std::uint64_t size);
+
   /// Appends one row. Throws std::invalid_argument if the number of values is not the number of
-  /// columns, std::runtime_error if writing fails (disk full).
+  /// columns, OutputError if writing fails (disk full).
   void add(std::span<double const> row);
 
   std::span<TableColumn const> columns() const { return columns_; }
+  std::filesystem::path const& path() const { return path_; }
+  std::uint64_t size() const { return size_; }  // bytes written
 
  private:
   void write_line();
@@ -37,6 +44,7 @@ class TableCsv {
   std::filesystem::path path_;
   std::vector<TableColumn> columns_;
   std::ofstream stream_;
+  std::uint64_t size_ = 0;
   std::string line_;  // kept to avoid allocation per row
 };
 

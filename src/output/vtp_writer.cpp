@@ -80,7 +80,9 @@ Block FrameWriter::field_block(Field field) const {
   auto const write = [this, field, stored, stride](std::ostream& stream) {
     std::vector<float> numbers(range_.size() * stride);
     for (int axis = 0; axis < stored; ++axis) {
-      auto const from = store_.component(field, axis).subspan(range_.begin, range_.size());
+      auto const all = store_.component(field, axis);
+      if (all.size() < range_.end) continue;  // walls do not have this field: zero
+      auto const from = all.subspan(range_.begin, range_.size());
       for (std::size_t i = 0; i < from.size(); ++i)
         numbers[i * stride + static_cast<std::size_t>(axis)] = static_cast<float>(from[i]);
     }

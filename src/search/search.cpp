@@ -68,7 +68,7 @@ void Search::read_units(ParticleStore const& store, Kind kind) {
 }
 
 bool Search::lists_hold(ParticleStore const& store) {
-  if (rebuilds_ == 0 || store.range(Kind::fluid).size() != fluid_fluid_.size()) return false;
+  if (!walls_sorted_ || store.range(Kind::fluid).size() != fluid_fluid_.size()) return false;
   read_units(store, Kind::fluid);
   auto const now = displacement_.largest(points(Kind::fluid).spans());
   ++steps_since_rebuild_;
@@ -176,7 +176,7 @@ double Search::reach() const {
 void Search::rebuild(ParticleStore& store) {
   if (steps_since_rebuild_ > 0) choose_skins();
   if (settings_.periodicity.any()) wrap(store);
-  if (rebuilds_ == 0) {
+  if (!walls_sorted_) {
     wall_reach_ = reach();
     sort_walls(store);
   }
@@ -189,6 +189,8 @@ void Search::rebuild(ParticleStore& store) {
 
 /// Walls are at rest and sorted once; what that took is given back.
 void Search::sort_walls(ParticleStore& store) {
+  walls_sorted_ = true;
+  points(Kind::wall) = {};
   if (store.range(Kind::wall).size() == 0) return;
   read_units(store, Kind::wall);
   sort(store, Kind::wall, wall_reach_);

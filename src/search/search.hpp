@@ -48,6 +48,9 @@ class Search {
   /// axes that are not periodic.
   void rebuild(ParticleStore& store);
 
+  /// Call when wall particles were removed: they are sorted and listed anew.
+  void forget_walls() { walls_sorted_ = false; }
+
   /// Rebuilds where the lists do not hold; returns true then.
   bool refresh(ParticleStore& store) {
     if (lists_hold(store)) return false;
@@ -116,7 +119,8 @@ class Search {
   struct {
     std::array<std::vector<Units>, 3> x;
     std::vector<std::uint64_t> key;
-  } mixing_;                 // owned points and images before they are sorted
+  } mixing_;  // owned points and images before they are sorted
+  bool walls_sorted_ = false;
   double wall_reach_ = 0.0;  // units, when the walls were sorted
   std::vector<std::uint32_t> wet_walls_;
   std::uint64_t steps_since_rebuild_ = 0;

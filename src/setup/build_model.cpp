@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -19,10 +20,18 @@ void set_vector(ParticleStore& store, Field field, std::size_t i, Point const& v
     store.component(field, axis)[i] = value[static_cast<std::size_t>(axis)];
 }
 
-void add_fluid(Case const& c, Model& model) {
+/// Ids of the particles that were made of each region and of each wall, ascending.
+struct Members {
+  std::vector<std::vector<std::uint64_t>> regions;
+  std::vector<std::vector<std::uint64_t>> walls;
+};
+
+void add_fluid(Case const& c, Model& model, Members& members) {
   ParticleStore& store = model.particles;
+  members.regions.resize(c.regions.size());
   for (Seed const& seed : fill_regions(c)) {
     std::size_t const i = store.append(Kind::fluid, seed.material);
+    members.regions[seed.region].push_back(store.id()[i]);
     set_vector(store, Field::position, i, seed.position);
     set_vector(store, Field::velocity, i, seed.velocity);
     store.scalar(Field::density)[i] = seed.density;
@@ -42,7 +51,7 @@ BoxWall box_wall(Case const& c, WallSpec const& spec) {
   return wall;
 }
 
-void add_walls(Case const& c, Model& model) {
+void add_walls(Case const& c, Model& model, Members& members) {
   ParticleStore& store = model.particles;
   model.walls.first_id = store.size();
   double const density = reference_density(model.materials.front().eos);
@@ -52,6 +61,7 @@ void add_walls(Case const& c, Model& model) {
   std::vector<InputProblem> problems;
   for (WallSpec const& spec : c.walls) {
     std::vector<Dummy> dummies;
+    auto& ids = members.walls.emplace_back();
     try {
       dummies = make_dummy_layer(box_wall(c, spec), c.numerics.spacing, layers, surface);
     } catch (std::invalid_argument const& error) {
@@ -59,6 +69,7 @@ void add_walls(Case const& c, Model& model) {
     }
     for (Dummy const& dummy : dummies) {
       std::size_t const i = store.append(Kind::wall, no_material);
+      ids.push_back(store.id()[i]);
       set_vector(store, Field::position, i, dummy.position);
       store.scalar(Field::density)[i] = density;
       WallPoint point{{}, static_cast<float>(dummy.depth), spec.slip == Slip::free};
@@ -69,6 +80,43 @@ void add_walls(Case const& c, Model& model) {
     ++surface;
   }
   if (!problems.empty()) throw InputErrors(std::move(problems));
+}
+
+/// Index of the item with this name; the case has been checked for it.
+template <class Spec>
+std::size_t index_of(std::vector<Spec> const& specs, std::string const& name) {
+  auto const found =
+      std::find_if(specs.begin(), specs.end(), [&](Spec const& s) { return s.name == name; });
+  return static_cast<std::size_t>(found - specs.begin());
+}
+
+StageEnd stage_end(Case const& c, UntilSpec const& until) {
+  StageEnd end;
+  if (until.after) end.after = *until.after;
+  end.rms_speed_below = until.rms_speed_below.value_or(0.0);
+  end.steady_for = until.steady_for.value_or(0.0);
+  if (!until.gauge.empty())
+    end.pressure = PressureLimit{
+        c.gauges[index_of(c.gauges, until.gauge)].position,
+        until.pressure_above ? *until.pressure_above : until.pressure_below.value_or(0.0),
+        until.pressure_above.has_value()};
+  return end;
+}
+
+void add_stages(Case const& c, Model& model, Members const& members) {
+  for (StageSpec const& spec : c.stages) {
+    Stage stage{spec.name, 0.0, stage_end(c, spec.until), {}, {}};
+    if (spec.damping_time) stage.damping = 1.0 / *spec.damping_time;
+    if (!spec.remove_wall.empty())
+      stage.removed_walls = members.walls[index_of(c.walls, spec.remove_wall)];
+    if (!spec.detonate.empty()) {
+      std::size_t const material = index_of(c.materials, spec.into);
+      stage.transformations.push_back({members.regions[index_of(c.regions, spec.detonate)],
+                                       static_cast<MaterialId>(material),
+                                       reference_energy(c.materials[material].eos)});
+    }
+    model.stages.push_back(std::move(stage));
+  }
 }
 
 /// A particle must not see another one and its image, nor itself.
@@ -101,8 +149,10 @@ Model build_model(Case const& c) {
   for (MaterialSpec const& material : c.materials)
     model.materials.push_back({material.name, material.eos});
   model.particles = ParticleStore(c.dimension);
-  add_fluid(c, model);
-  add_walls(c, model);
+  Members members;
+  add_fluid(c, model, members);
+  add_walls(c, model, members);
+  add_stages(c, model, members);
   return model;
 }
 

@@ -16,6 +16,7 @@
 
 #include "base/input_error.hpp"
 #include "matter/eos/eos.hpp"
+#include "setup/stage_spec.hpp"
 #include "step/settings.hpp"
 
 namespace moraine {
@@ -93,10 +94,11 @@ struct GaugeSpec {
 };
 
 struct OutputSpec {
-  double frame_interval = 0.0;      // s; 0: only the first and the last frame
-  std::vector<double> frame_times;  // s; extra frames
-  double gauge_interval = 0.0;      // s; 0: every step
-  double sums_interval = 0.0;       // s; 0: every step
+  double frame_interval = 0.0;         // s; 0: only the first and the last frame
+  std::vector<double> frame_times;     // s; extra frames
+  double gauge_interval = 0.0;         // s; 0: every step
+  double sums_interval = 0.0;          // s; 0: every step
+  double checkpoint_interval = 600.0;  // s of wall time; 0: none while the run goes on
 };
 
 /// Where the value of a key stands in the case file, and how it is written.
@@ -120,6 +122,7 @@ struct Case {
   std::vector<RegionSpec> regions;
   std::vector<WallSpec> walls;
   std::vector<GaugeSpec> gauges;
+  std::vector<StageSpec> stages;
   /// By full key ("resolution.spacing", "region.charge.pressure"), for messages; empty for a case
   /// that comes from no file.
   std::map<std::string, Place> places;

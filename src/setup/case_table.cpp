@@ -154,6 +154,12 @@ void add_output(std::vector<Entry<Case>>& table) {
       interval("output.gauges", "interval between gauge readings; 0: every step")));
   table.push_back(member<Case, output, &OutputSpec::sums_interval>(
       interval("output.sums", "interval between conserved sums; 0: every step")));
+  table.push_back(member<Case, output, &OutputSpec::checkpoint_interval>(
+      {.key = "output.checkpoints",
+       .quantity = Quantity::time,
+       .preset = 600.0,
+       .limits = Limits::not_negative(),
+       .meaning = "wall time between checkpoints; 0: only at the start and when it is stopped"}));
 }
 
 std::vector<Entry<Case>> make_table() {
@@ -183,6 +189,7 @@ std::vector<Parameter const*> all_parameters() {
   append(region_entries());
   append(wall_entries());
   append(gauge_entries());
+  append(stage_entries());
   return all;
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/input_error.hpp"
+#include "setup/check_stages.hpp"
 #include "setup/geometry.hpp"
 #include "setup/parameter.hpp"
 
@@ -23,6 +24,7 @@ class CaseCheck {
     check_names(case_.regions, keys_.regions);
     check_names(case_.walls, keys_.walls);
     check_names(case_.gauges, keys_.gauges);
+    check_names(case_.stages, keys_.stages);
     if (case_.regions.empty() && keys_.regions.empty() && !source_.has_problem("region"))
       source_.report_key("region", {}, "is missing: a case needs at least one [[region]]");
     if (case_.materials.size() > largest_material_count)
@@ -39,6 +41,7 @@ class CaseCheck {
     for (std::size_t i = 0; i < case_.gauges.size(); ++i)
       if (case_.gauges[i].kind == GaugeKind::front)
         check_material(case_.gauges[i].material, keys_.gauges[i] + ".material");
+    check_stages(case_, keys_.stages, source_);
     check_domain();
   }
 

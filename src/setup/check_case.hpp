@@ -14,6 +14,7 @@ struct ItemKeys {
   std::vector<std::string> regions;
   std::vector<std::string> walls;
   std::vector<std::string> gauges;
+  std::vector<std::string> stages;
 };
 
 /// Finds the domain if the file gives none, makes normals unit vectors, and reports

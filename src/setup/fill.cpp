@@ -158,7 +158,8 @@ class Filler {
                       .density = state->density,
                       .specific_energy = state->specific_energy,
                       .mass = state->density * volume_,
-                      .material = materials_[i]});
+                      .material = materials_[i],
+                      .region = i});
   }
 
   InputProblem problem(RegionSpec const& region, std::string_view key, std::string rule,

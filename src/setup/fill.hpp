@@ -16,6 +16,7 @@ struct Seed {
   double specific_energy = 0.0;  // J/kg
   double mass = 0.0;             // kg, per metre of thickness in 2D, per square metre in 1D
   MaterialId material = no_material;
+  std::size_t region = 0;  // index in the case
 };
 
 /// Corner of the lattice: the lower corner of the first container wall, or else of the first box

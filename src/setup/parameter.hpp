@@ -47,8 +47,8 @@ struct Limits {
 };
 
 /// The tables of a case file. A `list` is written [[region]], a `named` table [material.NAME].
-enum class Section : std::uint8_t { top, material, region, wall, gauge };
-inline constexpr std::size_t section_count = 5;
+enum class Section : std::uint8_t { top, material, region, wall, gauge, stage };
+inline constexpr std::size_t section_count = 6;
 enum class Repeat : std::uint8_t { once, named, list };
 
 struct SectionInfo {
@@ -65,6 +65,7 @@ inline constexpr std::array<SectionInfo, section_count> section_table{{
      "particles of one material on the lattice points of a shape; later regions replace earlier"},
     {Section::wall, "wall", Repeat::list, "a fixed rigid wall: the faces of a box"},
     {Section::gauge, "gauge", Repeat::list, "something measured during the run"},
+    {Section::stage, "stage", Repeat::list, "a part of the run; stages follow each other"},
 }};
 
 constexpr SectionInfo const& info(Section section) {

@@ -25,7 +25,7 @@ namespace moraine {
 namespace {
 
 constexpr std::array<std::string_view, section_count - 1> section_keys{"material", "region", "wall",
-                                                                       "gauge"};
+                                                                       "gauge", "stage"};
 
 toml::table parse_toml(std::string_view text, std::string_view file) {
   try {
@@ -57,6 +57,7 @@ class CaseReader {
     keys_.regions = read_list("region", region_entries(), case_.regions);
     keys_.walls = read_list("wall", wall_entries(), case_.walls);
     keys_.gauges = read_list("gauge", gauge_entries(), case_.gauges);
+    keys_.stages = read_list("stage", stage_entries(), case_.stages);
     finish_case(case_, keys_, source_);
     if (!source_.problems().empty()) throw InputErrors(source_.problems());
     case_.places = source_.places();

@@ -67,6 +67,8 @@ void Simulation::choose_time_step() {
             model_.particles.id()[swept_.particle]};
   vote = stricter(vote, acceleration_vote_);
   vote = stricter(vote, motion_vote_);
+  if (stages_.damping() > 0.0)
+    vote = stricter(vote, {0.5 / stages_.damping(), "damping", Vote::nobody});
   if (spec.fixed_step > 0.0) vote = {spec.fixed_step, "fixed step", Vote::nobody};
   vote = stricter(vote, {spec.max_step, "largest step", Vote::nobody});
   vote = stricter(vote, {spec.end - time_, end_of_run, Vote::nobody});
@@ -210,6 +212,7 @@ void Simulation::kick_and_check() {
   ParticleStore& store = model_.particles;
   std::size_t const count = store.range(Kind::fluid).size();
   double const half = predict_by();
+  double const damping = stages_.damping();
   struct Outcome {
     Largest acceleration2, speed2;
     std::size_t bad = none;
@@ -233,7 +236,7 @@ void Simulation::kick_and_check() {
       for (std::size_t axis = 0; axis < static_cast<std::size_t>(model_.dimension); ++axis) {
         double& a = acceleration[axis][i];
         double& v = velocity[axis][i];
-        a += model_.gravity[axis];
+        a += model_.gravity[axis] - damping * v;
         v += half * a;
         acceleration2 += a * a;
         velocity2 += v * v;

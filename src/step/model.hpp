@@ -7,6 +7,7 @@
 
 #include "matter/eos/eos.hpp"
 #include "step/settings.hpp"
+#include "step/stages.hpp"
 #include "store/particle_store.hpp"
 #include "terms/pair_backend.hpp"
 
@@ -28,6 +29,7 @@ struct Model {
   std::vector<Material> materials;  // by MaterialId
   ParticleStore particles{3};
   WallData walls;
+  std::vector<Stage> stages;  // in their order; none: one stage without a name
   Flavour flavour() const {
     return numerics.precision == Precision::mixed ? Flavour::mixed : Flavour::full;
   }

@@ -11,6 +11,7 @@ namespace moraine {
 namespace {
 
 constexpr std::array action_table{
+    Simulation::ActionInfo{"stage", "when a stage is over, begin the next and what it changes"},
     Simulation::ActionInfo{"time step", "every limit votes; the shortest step wins"},
     Simulation::ActionInfo{"kick and drift",
                            "half a step of velocity, density and energy; a whole "
@@ -35,22 +36,22 @@ Simulation::Simulation(Model model, Unstarted)
       search_(search_settings(model_)),
       pairs_(make_pair_backend(model_.dimension, model_.flavour(), model_.numerics.kernel,
                                scheme_of(model_), sweep_parameters(model_),
-                               reference_densities(model_))) {
+                               reference_densities(model_))),
+      stages_(std::move(model_.stages)) {
   using Run = void (Simulation::*)();
   constexpr std::array<Run, action_table.size()> runs{
-      &Simulation::choose_time_step, &Simulation::kick_and_drift, &Simulation::find_neighbours,
-      &Simulation::evaluate_matter,  &Simulation::gather,         &Simulation::continue_into_walls,
-      &Simulation::sum_pairs,        &Simulation::kick_and_check};
+      &Simulation::change_stage,        &Simulation::choose_time_step, &Simulation::kick_and_drift,
+      &Simulation::find_neighbours,     &Simulation::evaluate_matter,  &Simulation::gather,
+      &Simulation::continue_into_walls, &Simulation::sum_pairs,        &Simulation::kick_and_check};
   for (std::size_t k = 0; k < runs.size(); ++k)
     sequence_.push_back({action_table[k], runs[k], timers_.add(action_table[k].label)});
   model_.particles.shrink();
 }
 
 Simulation::Simulation(Model model) : Simulation(std::move(model), Unstarted{}) {
-  // Rates at the start: the second half of a step, with a step length of zero.
-  vote_.time_step = 0.0;
-  run_actions(2);
-  half_step_factor_ = 1.0;
+  stages_.begin_first();
+  begin_stage();
+  evaluate_rates();
 }
 
 Simulation::Simulation(Model model, Archive& saved) : Simulation(std::move(model), Unstarted{}) {
@@ -64,8 +65,10 @@ void Simulation::save(Archive& archive) { exchange(archive); }
 void Simulation::exchange(Archive& archive) {
   archive.number("time", time_);
   archive.number("step", step_);
+  stages_.exchange(archive);
   archive.number("time_step/last", vote_.time_step);
   archive.number("time_step/acceleration_limit", acceleration_vote_.time_step);
+  archive.number("time_step/motion_limit", motion_vote_.time_step);
   archive.number("time_step/signal_speed", swept_.signal_speed);
   archive.number("lost/count", lost_.count);
   archive.number("lost/mass", lost_.mass);
@@ -81,6 +84,14 @@ void Simulation::run_actions(std::size_t first) {
     ScopedTimer const timing(timers_, sequence_[k].timer);
     (this->*sequence_[k].run)();
   }
+}
+
+/// Rates of the present state: the second half of a step, with a step length of zero.
+void Simulation::evaluate_rates() {
+  vote_.time_step = 0.0;
+  half_step_factor_ = 0.0;
+  run_actions(3);
+  half_step_factor_ = 1.0;
 }
 
 void Simulation::advance() {

@@ -68,6 +68,8 @@ class Simulation {
   Search const& search() const { return search_; }
   PairBackend const& pairs() const { return *pairs_; }
   LostParticles const& lost() const { return lost_; }
+  /// The stages that have begun so far.
+  std::vector<StageEvent> const& stage_events() const { return stages_.events(); }
   ConservedSums sums() const;
   Timers const& timers() const { return timers_; }
 
@@ -92,6 +94,12 @@ class Simulation {
   void exchange(Archive& archive);
   void run_actions(std::size_t first);
 
+  void evaluate_rates();
+  void begin_stage();
+  void remove_walls(std::span<std::uint64_t const> ids);
+  void transform(Transformation const& change);
+
+  void change_stage();
   void choose_time_step();
   void kick_and_drift();
   void find_neighbours();
@@ -110,6 +118,7 @@ class Simulation {
   Model model_;
   Search search_;
   std::unique_ptr<PairBackend> pairs_;
+  Stages stages_;
   Timers timers_;
   std::vector<Action> sequence_;
   std::vector<std::vector<std::uint32_t>> by_material_;
@@ -120,7 +129,7 @@ class Simulation {
   std::vector<std::uint32_t> leaving_;  // indices, while lost particles are removed
   std::array<double, 3> wall_impulse_{};
   double time_ = 0.0;
-  double half_step_factor_ = 0.0;  // 0 while the first rates are evaluated, then 1
+  double half_step_factor_ = 0.0;  // 0 while rates are evaluated anew, else 1
   std::uint64_t step_ = 0;
 };
 

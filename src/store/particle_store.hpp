@@ -45,6 +45,7 @@ class ParticleStore {
 
   std::span<std::uint64_t const> id() const { return id_; }
   std::span<MaterialId const> material() const { return material_; }
+  void set_material(std::size_t i, MaterialId material) { material_[i] = material; }
 
   /// Adds a zeroed particle at the end of its kind and returns its index; ids count upwards.
   /// Fluid particles must be appended before wall particles.

@@ -19,8 +19,10 @@ std::string text_of(std::filesystem::path const& file) {
 }
 
 /// In the child: everything is set, become the program.
-[[noreturn]] void become(char const* folder, char** arguments) {
-  bool const ready = chdir(folder) == 0 && setenv("OMP_NUM_THREADS", "2", 1) == 0;
+[[noreturn]] void become(char const* folder, char** arguments, rlim_t largest_file) {
+  rlimit const limit{largest_file, RLIM_INFINITY};
+  bool const ready = chdir(folder) == 0 && setenv("OMP_NUM_THREADS", "2", 1) == 0 &&
+                     setrlimit(RLIMIT_FSIZE, &limit) == 0;
   int const flags = O_WRONLY | O_CREAT | O_TRUNC;
   int const out = open("out", flags, 0600);
   int const err = open("err", flags, 0600);
@@ -32,7 +34,8 @@ std::string text_of(std::filesystem::path const& file) {
 
 }  // namespace
 
-Program::Program(std::filesystem::path folder, std::vector<std::string> const& arguments)
+Program::Program(std::filesystem::path folder, std::vector<std::string> const& arguments,
+                 rlim_t largest_file)
     : folder_(std::move(folder)) {
   std::vector<std::string> words{"moraine"};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -41,7 +44,7 @@ Program::Program(std::filesystem::path folder, std::vector<std::string> const& a
   pointers.push_back(nullptr);
   process_ = fork();
   if (process_ < 0) throw std::runtime_error("cannot start a process");
-  if (process_ == 0) become(folder_.c_str(), pointers.data());
+  if (process_ == 0) become(folder_.c_str(), pointers.data(), largest_file);
 }
 
 void Program::send(int signal) const { kill(process_, signal); }

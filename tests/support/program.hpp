@@ -1,6 +1,7 @@
 // Starts the built program as a user does, and looks at what it leaves behind.
 #pragma once
 
+#include <sys/resource.h>
 #include <sys/types.h>
 
 #include <filesystem>
@@ -17,10 +18,11 @@ struct CommandResult {
 };
 
 /// A started `moraine ARGUMENTS...` with `folder` as its working directory; its output goes to the
-/// files `out` and `err` there.
+/// files `out` and `err` there. No file that it writes can get larger than `largest_file` bytes.
 class Program {
  public:
-  Program(std::filesystem::path folder, std::vector<std::string> const& arguments);
+  Program(std::filesystem::path folder, std::vector<std::string> const& arguments,
+          rlim_t largest_file = RLIM_INFINITY);
 
   /// Sends a signal.
   void send(int signal) const;

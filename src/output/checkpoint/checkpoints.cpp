@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <functional>
-#include <stdexcept>
 #include <system_error>
 
 #include "output/atomic_file.hpp"
 #include "output/checkpoint/seal.hpp"
+#include "output/output_error.hpp"
 
 namespace moraine {
 namespace {
@@ -47,7 +47,7 @@ void Checkpoints::save(std::uint64_t step, Exchange const& exchange) {
   } catch (std::exception const& error) {
     std::error_code ignored;
     std::filesystem::remove(temporary, ignored);
-    throw std::runtime_error(fmt::format("no checkpoint of step {}: {}", step, error.what()));
+    throw OutputError(fmt::format("no checkpoint of step {}: {}", step, error.what()));
   }
   auto const all = files();
   for (std::size_t k = kept; k < all.size(); ++k) std::filesystem::remove(all[k]);

@@ -22,7 +22,7 @@ class Checkpoints {
       : folder_(run_folder / "checkpoints") {}
 
   /// Saves all that `exchange` names as the state after a step, and drops all but the two newest.
-  /// Throws std::runtime_error when it cannot be written (disk full); older states are then intact
+  /// Throws OutputError when it cannot be written (disk full); older states are then intact
   /// and no piece of a file is left behind.
   void save(std::uint64_t step, Exchange const& exchange);
 

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "output/run_folder.hpp"
 #include "output/run_recorder.hpp"
 #include "setup/build_model.hpp"
 #include "setup/read_case.hpp"
@@ -29,6 +30,7 @@ class RecorderFolder : public ScratchFolder {
               "[[gauge]]\nname = \"middle\"\nposition = [0.5]\n");
     Case const c = read_case(path("case.toml"));
     Simulation simulation(build_model(c));
+    make_run_folder(path("out"));
     RunRecorder recorder(c, simulation, path("out"), 1);
     for (int step = 0; step < steps; ++step) {
       simulation.advance();

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "output/run_folder.hpp"
 #include "output/vtp_reader.hpp"
 #include "scratch_folder.hpp"
 #include "setup/build_model.hpp"
@@ -78,6 +79,7 @@ position = [0.5]
 TEST_F(Recorder, WritesTheStartAtOnce) {
   Case const c = small("");
   Simulation const simulation(build_model(c));
+  make_run_folder(folder());
   RunRecorder const recorder(c, simulation, folder(), 3);
   EXPECT_EQ(rows("gauges.csv"), 1u);
   EXPECT_EQ(rows("sums.csv"), 1u);
@@ -93,6 +95,7 @@ TEST_F(Recorder, WritesTheStartAtOnce) {
 TEST_F(Recorder, WritesEveryStepWhereNoIntervalIsGiven) {
   Case const c = small("");
   Simulation simulation(build_model(c));
+  make_run_folder(folder());
   RunRecorder recorder(c, simulation, folder(), 1);
   for (int step = 0; step < 5; ++step) {
     simulation.advance();
@@ -112,6 +115,7 @@ TEST_F(Recorder, WritesEveryStepWhereNoIntervalIsGiven) {
 TEST_F(Recorder, WritesTheLastFrameOnce) {
   Case const c = small("frames = 0.001");
   Simulation simulation(build_model(c));
+  make_run_folder(folder());
   RunRecorder recorder(c, simulation, folder(), 1);
   for (int step = 0; step < 3; ++step) {
     simulation.advance();
@@ -125,6 +129,7 @@ TEST_F(Recorder, WritesTheLastFrameOnce) {
 TEST_F(Recorder, KeepsABrokenStateApart) {
   Case const c = small("");
   Simulation const simulation(build_model(c));
+  make_run_folder(folder());
   RunRecorder recorder(c, simulation, folder(), 1);
   EXPECT_EQ(recorder.give_up(simulation, "unstable: ...", 0.0), folder() / "unstable.vtp");
   EXPECT_EQ(read_vtp(folder() / "unstable.vtp").size, 10u);
@@ -142,6 +147,7 @@ TEST_F(Recorder, ClearsAnEarlierRun) {
     write(folder() / name, "x");
   Case const c = small("", false);
   Simulation const simulation(build_model(c));
+  make_run_folder(folder());
   RunRecorder const recorder(c, simulation, folder(), 1);
   for (char const* const name : {"frames/particles_000007.vtp", "unstable.vtp", "walls.vtp"})
     EXPECT_FALSE(std::filesystem::exists(folder() / name)) << name;

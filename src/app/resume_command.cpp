@@ -1,0 +1,51 @@
+// moraine resume: goes on with a run from its newest whole checkpoint.
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <filesystem>
+
+#include "app/commands.hpp"
+#include "app/run_loop.hpp"
+#include "base/input_error.hpp"
+#include "output/checkpoint/checkpoints.hpp"
+#include "output/checkpoint/run_state.hpp"
+#include "output/run_folder.hpp"
+
+namespace moraine {
+namespace {
+
+[[noreturn]] void refuse(std::string const& folder, std::string rule, std::string hint) {
+  throw InputErrors({{"moraine resume", 0, 0, "folder", fmt::format("\"{}\"", folder),
+                      std::move(rule), std::move(hint)}});
+}
+
+std::filesystem::path newest_checkpoint(std::string const& folder) {
+  if (!std::filesystem::is_directory(folder))
+    refuse(folder, "is not a folder", "name the folder of a run");
+  std::vector<std::string> skipped;
+  auto const found = Checkpoints(folder).newest(skipped);
+  for (std::string const& why : skipped) fmt::print(stderr, "passed over: {}\n", why);
+  if (!found && holds_a_run(folder))
+    refuse(folder, "has no whole checkpoint", "start again: moraine run CASE --force");
+  if (!found) refuse(folder, "holds no run", "name the folder of a run");
+  return *found;
+}
+
+}  // namespace
+
+int resume_run(ResumeOptions const& options) {
+  if (options.threads > 0) omp_set_num_threads(options.threads);
+  int const threads = omp_get_max_threads();
+  auto const checkpoint = newest_checkpoint(options.folder);
+  RestoredRun restored = restore_run(checkpoint, options.folder, threads);
+  // What is newer is damaged or unfinished, and must not be taken for newer than what comes.
+  Checkpoints(options.folder).forget(checkpoint);
+  std::error_code ignored;
+  std::filesystem::remove(std::filesystem::path(options.folder) / "stop", ignored);
+  Run const run{restored.c, *restored.simulation, *restored.recorder, options.folder};
+  say_start(run, threads);
+  fmt::print("goes on at time {:.6g} s, step {}\n", run.simulation.time(), run.simulation.step());
+  return run_to_end(run);
+}
+
+}  // namespace moraine

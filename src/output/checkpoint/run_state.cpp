@@ -1,0 +1,56 @@
+#include "output/checkpoint/run_state.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "output/checkpoint/hdf5_archive.hpp"
+#include "setup/build_model.hpp"
+#include "setup/read_case.hpp"
+#include "setup/used_case.hpp"
+
+namespace moraine {
+namespace {
+
+// Counts up with every change of what is saved, or of what it means for the steps that follow.
+constexpr std::uint64_t layout = 1;
+
+void exchange_layout(Archive& archive) {
+  std::uint64_t found = layout;
+  archive.number("layout", found);
+  if (found != layout)
+    throw std::runtime_error(
+        fmt::format("the checkpoint has layout {}, this program goes on from layout {} only: "
+                    "use the version in manifest.json",
+                    found, layout));
+}
+
+}  // namespace
+
+void save_run(Archive& archive, Case const& c, Simulation& simulation,
+              RunRecorder const& recorder) {
+  exchange_layout(archive);
+  std::string text = used_case(c);
+  archive.text("case", text);
+  simulation.save(archive);
+  RecorderState state = recorder.state();
+  state.exchange(archive);
+}
+
+RestoredRun restore_run(std::filesystem::path const& checkpoint,
+                        std::filesystem::path const& folder, int threads) {
+  RestoredRun run;
+  restore_hdf5(checkpoint, [&](Archive& archive) {
+    exchange_layout(archive);
+    std::string text;
+    archive.text("case", text);
+    run.c = parse_case(text, (folder / "case.used.toml").string());
+    run.simulation = std::make_unique<Simulation>(build_model(run.c), archive);
+    RecorderState state;
+    state.exchange(archive);
+    run.recorder = std::make_unique<RunRecorder>(run.c, *run.simulation, folder, threads, state);
+  });
+  return run;
+}
+
+}  // namespace moraine

@@ -1,0 +1,30 @@
+// What a checkpoint of a run holds, in one place for both directions.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "output/run_recorder.hpp"
+#include "setup/case.hpp"
+#include "step/simulation.hpp"
+
+namespace moraine {
+
+/// Saves case, simulation and recorder: all that is needed to go on.
+void save_run(Archive& archive, Case const& c, Simulation& simulation, RunRecorder const& recorder);
+
+/// A run as it was when it was saved.
+struct RestoredRun {
+  Case c;
+  std::unique_ptr<Simulation> simulation;
+  std::unique_ptr<RunRecorder> recorder;
+};
+
+/// The run saved in a checkpoint file of this folder, whose files are cut back to that moment.
+/// Throws std::runtime_error when the checkpoint was written by another version of its layout or
+/// does not fit the case in it, OutputError when the folder cannot be written.
+RestoredRun restore_run(std::filesystem::path const& checkpoint,
+                        std::filesystem::path const& folder, int threads);
+
+}  // namespace moraine

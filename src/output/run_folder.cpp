@@ -1,0 +1,56 @@
+#include "output/run_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <regex>
+#include <system_error>
+#include <vector>
+
+#include "output/checkpoint/checkpoints.hpp"
+#include "output/output_error.hpp"
+#include "output/plot/plot.hpp"
+
+namespace moraine {
+namespace {
+
+/// Removes the files of a folder whose names are `ours`.
+template <class Ours>
+void remove_ours(std::filesystem::path const& folder, Ours&& ours) {
+  std::vector<std::filesystem::path> old;
+  std::error_code none;
+  for (auto const& entry : std::filesystem::directory_iterator(folder, none))
+    if (ours(entry.path().filename().string())) old.push_back(entry.path());
+  for (auto const& file : old) std::filesystem::remove(file);
+}
+
+}  // namespace
+
+bool holds_a_run(std::filesystem::path const& folder) {
+  return std::filesystem::exists(folder / "manifest.json");
+}
+
+void make_run_folder(std::filesystem::path const& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder / "frames", error);
+  if (error)
+    throw OutputError(
+        fmt::format("cannot make the folder '{}': {}", folder.string(), error.message()));
+  drop_frames(folder, 0);
+  Checkpoints(folder).forget(std::nullopt);
+  std::filesystem::remove(folder / "stop");
+}
+
+std::string frame_name(std::size_t number) {
+  return fmt::format("frames/particles_{:06}.vtp", number);
+}
+
+void drop_frames(std::filesystem::path const& folder, std::size_t first) {
+  static std::regex const pattern("particles_[0-9]{6,}\\.vtp");
+  remove_ours(folder / "frames", [&](std::string const& name) {
+    return std::regex_match(name, pattern) && "frames/" + name >= frame_name(first);
+  });
+  remove_ours(folder / "plots", is_picture_of_run);
+  std::filesystem::remove(folder / "unstable.vtp");
+}
+
+}  // namespace moraine

@@ -1,0 +1,24 @@
+// The folder of a run: what lies in it by our hand.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+namespace moraine {
+
+/// True when a folder holds results of a run, finished or not.
+bool holds_a_run(std::filesystem::path const& folder);
+
+/// Makes the folder of a run, or clears it of what an earlier run wrote: frames, pictures,
+/// checkpoints, the snapshot of a breakdown, requests. Other people's files stay.
+void make_run_folder(std::filesystem::path const& folder);
+
+/// Name of a frame, relative to the folder.
+std::string frame_name(std::size_t number);
+
+/// Removes the frames from this number on, and the pictures and the snapshot that were made of
+/// them.
+void drop_frames(std::filesystem::path const& folder, std::size_t first);
+
+}  // namespace moraine
