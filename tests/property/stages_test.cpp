@@ -142,7 +142,8 @@ into = "tnt"
   Simulation simulation(build_model(c));
   double const quiet = simulation.sums().internal_energy;
   while (simulation.time() < 18e-6) simulation.advance();
-  EXPECT_LT(largest(simulation.particles(), Field::velocity, 0), 1e-3) << "nothing moves before";
+  // The water's reference state has one atmosphere, the casing's none: 1e5 / (rho c) = 0.07 m/s.
+  EXPECT_LT(largest(simulation.particles(), Field::velocity, 0), 0.07) << "nothing else moves";
   advance_to_stage(simulation, 2);
   ASSERT_EQ(simulation.stage_events().size(), 2U);
   EXPECT_GE(simulation.stage_events()[1].time, 20e-6);
