@@ -62,7 +62,7 @@ void add_resolution(std::vector<Entry<Case>>& table) {
   table.push_back(member<Case, numerics, &Numerics::smoothing_factor>(
       {.key = "resolution.smoothing_factor",
        .preset = 1.2,
-       .limits = Limits::between(0.8, 4.0),
+       .limits = Limits::between(0.8, 8.0),
        .meaning = "smoothing length divided by the spacing",
        .source = "1.0 to 1.2 is usual for blast; Liu and Liu (2003)"}));
   table.push_back(member<Case, numerics, &Numerics::kernel>(

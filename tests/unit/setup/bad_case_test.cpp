@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"\"1 cm\"", "nan", "case.toml:8:11: resolution.spacing: nan is not a number"},
         Bad{"\"1 ms\"", "inf", "case.toml:10:7: time.end: inf must be finite"},
         Bad{"\"1 cm\"", "0.01\nsmoothing_factor = 0.7",
-            "case.toml:9:20: resolution.smoothing_factor: 0.7 must be between 0.8 and 4"},
+            "case.toml:9:20: resolution.smoothing_factor: 0.7 must be between 0.8 and 8"},
         Bad{"\"1 ms\"", "1\ncourant = 1.5",
             "case.toml:11:11: time.courant: 1.5 must be greater than 0, at most 1"},
         Bad{"\"1 cm\"", "0.01\nkernel = \"wendland\"",

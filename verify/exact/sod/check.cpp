@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "exact/riemann_ideal_gas.hpp"
@@ -46,28 +46,29 @@ Errors errors_of(Simulation const& simulation, RiemannIdealGas const& exact) {
 
 }  // namespace
 
-std::vector<CheckResult> check_sod(Effort) {
+std::vector<CheckResult> check_sod(Effort effort) {
   Case tube = shipped_case("sod");
   RiemannIdealGas const exact({1.0, 0.0, 1.0}, {0.125, 0.0, 0.1}, 1.4);
-  std::array<Errors, 3> errors;
-  double const finest = tube.numerics.spacing;
-  for (std::size_t k = 0; k < errors.size(); ++k) {
-    tube.numerics.spacing = finest * std::pow(2.0, 2.0 - static_cast<double>(k));
+  // At four millimetres the smeared shock and contact would overlap (README.md).
+  std::vector<double> spacings{2e-3, 1e-3};
+  if (effort == Effort::full) spacings.push_back(0.5e-3);
+  std::vector<Errors> errors;
+  for (double const spacing : spacings) {
+    tube.numerics.spacing = spacing;
     Simulation simulation(build_model(tube));
     while (simulation.running()) simulation.advance();
-    errors[k] = errors_of(simulation, exact);
+    errors.push_back(errors_of(simulation, exact));
   }
-  Errors const& last = errors[2];
-  // A scheme that smears shocks over a fixed number of spacings has L1 errors of first order there
-  // and between 1/2 and 1 at the contact (Banks, Aslam & Rider, J. Comput. Phys. 227 (2008) 6985).
-  double const order = 0.5 * std::log2(errors[0].density / last.density);
-  std::string const at = fmt::format("L1, {:.0f} mm, t = 0.2 s", 1e3 * finest);
-  return {at_most("sod: density", last.density, 0.03, "-", at),
-          at_most("sod: velocity", last.velocity, 0.03, "-", at),
-          at_most("sod: pressure", last.pressure, 0.03, "-", at),
-          compare("sod: order", order, 0.9, 0.2, "-",
-                  fmt::format("density errors {:.3g}, {:.3g}, {:.3g}", errors[0].density,
-                              errors[1].density, last.density))};
+  std::string const at = fmt::format("L1, {:g} mm, t = 0.2 s", 1e3 * spacings.back());
+  std::vector<CheckResult> results{at_most("sod: density", errors.back().density, 0.03, "-", at),
+                                   at_most("sod: velocity", errors.back().velocity, 0.03, "-", at),
+                                   at_most("sod: pressure", errors.back().pressure, 0.03, "-", at)};
+  for (std::size_t k = 1; k < errors.size(); ++k)
+    results.push_back(compare(
+        fmt::format("sod: order, {:g} to {:g} mm", 1e3 * spacings[k - 1], 1e3 * spacings[k]),
+        std::log2(errors[k - 1].density / errors[k].density), 0.9, 0.2, "-",
+        fmt::format("density errors {:.3g}, {:.3g}", errors[k - 1].density, errors[k].density)));
+  return results;
 }
 
 }  // namespace moraine
