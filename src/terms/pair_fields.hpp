@@ -131,4 +131,14 @@ MORAINE_FORMULA auto density(P const& particle) {
   return reference_density(particle) * (number<typename P::Number>(1) + compression(particle));
 }
 
+/// Mass that a neighbour counts with [kg]. That of a wall particle is its density times the volume
+/// of a lattice cell; where records hold no mass, the uniform one is that at the reference density.
+template <bool wall, class P>
+MORAINE_FORMULA auto pair_weight(P const& neighbour) {
+  if constexpr (wall && !P::has(PairField::mass))
+    return mass(neighbour) * (number<typename P::Number>(1) + compression(neighbour));
+  else
+    return mass(neighbour);
+}
+
 }  // namespace moraine

@@ -56,10 +56,11 @@ void reference_sum(SweepParameters const& parameters, Self const& self,
     std::apply([&](auto const&... term) { (term(pair, self, neighbour, rates), ...); }, terms);
 
     double const share = wall ? 1.0 : 0.5;
+    double const weight = pair_weight<wall>(neighbour);
     for (int axis = 0; axis < D; ++axis)
-      sum.acceleration[axis] -= mass(neighbour) * rates.stress * pair.gradient * pair.x[axis];
-    sum.energy_rate += share * mass(neighbour) * rates.stress * pair.gradient * along;
-    sum.density_rate += mass(neighbour) * rates.density_rate;
+      sum.acceleration[axis] -= weight * rates.stress * pair.gradient * pair.x[axis];
+    sum.energy_rate += share * weight * rates.stress * pair.gradient * along;
+    sum.density_rate += weight * rates.density_rate;
     sum.approach_speed = std::min(sum.approach_speed, rates.approach_speed);
   }
 }

@@ -142,7 +142,7 @@ void sum_over_pairs(SweepConstants<Real, D, Kernel> const& constants, Self const
         PairRates<Real> rates{number<Real>(0), number<Real>(0), number<Real>(0)};
         std::apply([&](auto const&... term) { (term(pair, self, lanes, rates), ...); }, terms);
 
-        Real const weight = mass(lanes);
+        Real const weight = pair_weight<wall>(lanes);
         Real const push = weight * rates.stress * pair.gradient;
         for (int axis = 0; axis < D; ++axis) sum.acceleration[axis] -= push * pair.x[axis];
         sum.energy_rate += energy_share * push * along;
