@@ -11,6 +11,7 @@
 
 #include "base/input_error.hpp"
 #include "setup/geometry.hpp"
+#include "setup/hydrostatic_layers.hpp"
 #include "setup/initial_state.hpp"
 
 namespace moraine {
@@ -50,6 +51,7 @@ class Filler {
         tolerance_(face_tolerance * spacing_),
         volume_(std::pow(spacing_, c.dimension)),
         anchor_(lattice_anchor(c)),
+        vertical_(vertical_of(c.gravity)),
         counts_(c.regions.size(), 0),
         stateless_(c.regions.size(), false) {
     for (auto const& wall : c.walls)
@@ -69,6 +71,7 @@ class Filler {
       for (auto y = first[1]; y <= last[1]; ++y)
         for (auto x = first[0]; x <= last[0]; ++x) visit(lattice_point({x, y, z}));
     throw_problems();
+    if (!layered_.empty()) compress_layers(seeds_, layered_, case_, *vertical_);
     return std::move(seeds_);
   }
 
@@ -153,13 +156,23 @@ class Filler {
       stateless_[i] = true;
       return;
     }
+    bool const layered = in_layers(i);
+    if (layered) layered_.push_back(seeds_.size());
+    double const lattice_density =
+        layered ? reference_density(case_.materials[materials_[i]].eos) : state->density;
     seeds_.push_back({.position = point,
                       .velocity = region.initial.velocity,
                       .density = state->density,
                       .specific_energy = state->specific_energy,
-                      .mass = state->density * volume_,
+                      .mass = lattice_density * volume_,
                       .material = materials_[i],
                       .region = i});
+  }
+
+  // Equal masses are what the sweep of one liquid asks for, and that is a Tait liquid.
+  bool in_layers(std::size_t i) const {
+    return vertical_ && case_.regions[i].initial.hydrostatic_level &&
+           std::holds_alternative<Tait>(case_.materials[materials_[i]].eos);
   }
 
   InputProblem problem(RegionSpec const& region, std::string_view key, std::string rule,
@@ -190,12 +203,14 @@ class Filler {
   double tolerance_;
   double volume_;  // m^dimension
   Point anchor_;
+  std::optional<Vertical> vertical_;
   std::vector<Box> containers_;
   std::vector<Box> solids_;
   std::vector<MaterialId> materials_;  // of each region
   std::vector<std::size_t> counts_;    // particles of each region
   std::vector<bool> stateless_;        // regions with a pressure that cannot be
   std::vector<Seed> seeds_;
+  std::vector<std::size_t> layered_;  // seeds that lie in hydrostatic layers
 };
 
 }  // namespace

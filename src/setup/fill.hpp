@@ -26,8 +26,10 @@ Point lattice_anchor(Case const& c);
 /// Fills the regions: points anchor + (k + 1/2) spacing, k whole, in the order z, y, x with x
 /// running fastest. Of several regions around a point the last one wins. Nothing is put outside
 /// the domain, inside solid walls, or, if there are container walls, outside all of them (an open
-/// side bounds nothing). mass = density * spacing^dimension. Points closer to a face than 1e-6
-/// spacings count as on it, so that rounding neither adds nor loses a row.
+/// side bounds nothing). mass = density * spacing^dimension, but a Tait liquid with a hydrostatic
+/// level, under gravity along an axis, has the mass of its reference density everywhere and layers
+/// that lie the closer the deeper they are (setup/hydrostatic_layers.hpp). Points closer to a face
+/// than 1e-6 spacings count as on it, so that rounding neither adds nor loses a row.
 ///
 /// Throws InputErrors for every region without particles, and for every region whose pressure its
 /// material cannot have.

@@ -14,8 +14,10 @@ struct MaterialState {
 };
 
 /// Hydrostatic pressure p = max(0, rho_0 |g| (level - z)) [Pa], where z is the coordinate of
-/// `position` against gravity g [m/s^2] and `level` [m] that of the free surface. The density is
-/// taken as constant over the depth, which is exact to the order of p / (rho_0 c_0^2).
+/// `position` against gravity g [m/s^2] and `level` [m] that of the free surface. On an even
+/// lattice this takes the density as constant over the depth, exact to the order of p / (rho_0
+/// c_0^2); for a lattice that is then compressed (setup/hydrostatic_layers.hpp) it is the weight
+/// above, exactly.
 double hydrostatic_pressure(double reference_density, double level, Point const& position,
                             Point const& gravity);
 

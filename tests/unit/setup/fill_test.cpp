@@ -127,18 +127,66 @@ TEST(Fill, RegionsWithoutParticlesAreInputErrors) {
   }
 }
 
-TEST(Fill, HydrostaticProfile) {
+Case still_water() {
   Case c = box_case(2, 0.1, {{0, 0, 0}, {1, 1.5, 0}});
   c.gravity = {0, -9.81, 0};
   c.materials[0].eos = Tait{.reference_sound_speed = 30.0};
   c.regions[0].initial.hydrostatic_level = 1.0;  // the rows above the level have no pressure
-  Tait const tait{.reference_sound_speed = 30.0};
-  for (auto const& seed : fill_regions(c)) {
-    double const exact = 1000.0 * 9.81 * std::max(0.0, 1.0 - seed.position[1]);
+  return c;
+}
+
+TEST(Fill, HydrostaticLayersCarryTheWeightAboveThem) {
+  Case const c = still_water();
+  Tait const tait = std::get<Tait>(c.materials[0].eos);
+  auto const seeds = fill_regions(c);
+  ASSERT_EQ(seeds.size(), 150U);
+  double face = 0.0;  // of the row below
+  for (std::size_t row = 0; row < 15; ++row) {
+    Seed const& seed = seeds[10 * row + 3];
+    EXPECT_EQ(seed.mass, 1000.0 * std::pow(0.1, 2)) << row;  // of all, for the sweep of one liquid
+    double const weight = 1000.0 * 9.81 * std::max(0.0, 0.95 - 0.1 * static_cast<double>(row));
     // Rounding of the density, 1e-16 rho c^2 = 1e-10 Pa, with a margin of 100.
-    EXPECT_NEAR(tait.pressure(seed.density, seed.specific_energy), exact, 1e-8);
-    EXPECT_DOUBLE_EQ(seed.mass, seed.density * 0.01);
+    EXPECT_NEAR(tait.pressure(seed.density, seed.specific_energy), weight, 1e-8) << row;
+    double const thickness = seed.mass / (seed.density * 0.1);
+    EXPECT_NEAR(seed.position[1], face + 0.5 * thickness, 1e-14) << row;
+    EXPECT_DOUBLE_EQ(seed.position[0], 0.35) << row;
+    face += thickness;
   }
+  EXPECT_LT(face, 1.5 - 0.004);  // 1 m shrinks by g H^2 / (2 c^2) = 5.5 mm
+}
+
+TEST(Fill, HydrostaticLayersStandOnWhatIsBelow) {
+  Case c = still_water();
+  c.walls = {{"step", WallForm::solid, {{0.0, 0, 0}, {0.5, 0.3, 0}}, {}, Slip::free}};
+  double const density = std::get<Tait>(c.materials[0].eos).density_at_pressure(9810 * 0.65, 0);
+  for (auto const& seed : fill_regions(c)) {
+    if (seed.position[0] > 0.5) continue;
+    EXPECT_GT(seed.position[1], 0.3 + 0.05 * 1000.0 / density - 1e-14);
+  }
+}
+
+TEST(Fill, HydrostaticLayersFollowGravityAlongItsAxis) {
+  Case c = still_water();
+  auto const fallen = fill_regions(c);
+  c.gravity = {0, 9.81, 0};  // down is y+: the lower face of the region is at y = 1.5
+  c.regions[0].initial.hydrostatic_level = -0.5;
+  auto const risen = fill_regions(c);
+  ASSERT_EQ(risen.size(), fallen.size());
+  for (std::size_t row = 0; row < 15; ++row)
+    EXPECT_NEAR(risen[10 * (14 - row)].position[1], 1.5 - fallen[10 * row].position[1], 1e-13);
+}
+
+TEST(Fill, WithoutLayersTheMassFollowsTheDensity) {
+  Case oblique = still_water();
+  oblique.gravity = {-3, -9, 0};
+  Case other = still_water();
+  other.materials[0].eos = WaterPolynomial{};
+  for (Case const& c : {oblique, other})
+    for (auto const& seed : fill_regions(c)) {
+      EXPECT_DOUBLE_EQ(seed.mass, seed.density * 0.01);
+      double const row = seed.position[1] / 0.1 - 0.5;
+      EXPECT_NEAR(row, std::round(row), 1e-12);
+    }
 }
 
 TEST(Fill, HydrostaticLevelFollowsTiltedGravity) {
