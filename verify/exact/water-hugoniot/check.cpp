@@ -92,8 +92,10 @@ void add_results(double u, double spacing, std::vector<CheckResult>& results) {
                               reference, 0.03 * reference, unit, "exact: jump conditions"));
   };
   add("shock speed", speed, exact.shock_speed, "m/s");
-  add("pressure", mean_behind(simulation, Field::pressure, x_2), exact.pressure, "Pa");
-  add("density", mean_behind(simulation, Field::density, x_2), exact.density, "kg/m^3");
+  add("pressure jump", mean_behind(simulation, Field::pressure, x_2) - p_0, exact.pressure - p_0,
+      "Pa");
+  add("density jump", mean_behind(simulation, Field::density, x_2) - water.reference_density,
+      exact.density - water.reference_density, "kg/m^3");
 }
 
 }  // namespace
