@@ -30,7 +30,7 @@ std::string vector(int dimension, double x, double y, double z) {
 constexpr std::string_view tnt_in_water_text = R"(
 title = "TNT charge in a rigid box of water"
 space.dimension = 2
-resolution = { spacing = "1 cm", smoothing_factor = 1.2, kernel = "wendland_c2" }
+resolution = { spacing = "1 cm", smoothing_factor = 2.0, kernel = "wendland_c2" }
 numerics = { viscosity_alpha = 1.0, viscosity_beta = 10.0 }
 time.end = "500 us"
 material.water.eos = "water_polynomial"

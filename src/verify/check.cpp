@@ -20,6 +20,7 @@ std::vector<CheckResult> check_momentum_mixed(Effort effort);
 std::vector<CheckResult> check_energy_order(Effort effort);
 std::vector<CheckResult> check_hydrostatic_pressure(Effort effort);
 std::vector<CheckResult> check_martin_moyce_front(Effort effort);
+std::vector<CheckResult> check_tnt_in_water(Effort effort);
 
 namespace {
 
@@ -39,6 +40,9 @@ constexpr std::array all_checks{
           check_hydrostatic_pressure},
     Check{"martin-moyce-front", "the front of a dam break advances as measured",
           check_martin_moyce_front},
+    Check{"tnt-in-water",
+          "an explosion keeps energy, momentum and symmetry, and its shock is possible",
+          check_tnt_in_water},
 };
 
 }  // namespace
