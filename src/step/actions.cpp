@@ -118,29 +118,35 @@ void Simulation::remove_lost() {
   auto const axes = static_cast<std::size_t>(model_.dimension);
   Components const position = components_of(store, Field::position);
   Components const velocity = components_of(store, Field::velocity);
-  auto const outside = [&](std::size_t i) {
+  // The side that a particle is farthest beyond; `none` inside of the domain.
+  auto const side_passed = [&](std::size_t i) {
+    std::size_t side = none;
+    double farthest = 0.0;
     for (std::size_t k = 0; k < axes; ++k) {
-      double const x = position[k][i];
-      if (!model_.periodic[k] && !(x >= model_.domain_min[k] && x <= model_.domain_max[k]))
-        return true;
+      if (model_.periodic[k]) continue;
+      double const below = model_.domain_min[k] - position[k][i];
+      double const above = position[k][i] - model_.domain_max[k];
+      if (std::max(below, above) <= farthest) continue;
+      farthest = std::max(below, above);
+      side = 2 * k + (above > below ? 1 : 0);
     }
-    return false;
+    return side;
   };
   auto const add = [&](std::size_t begin, std::size_t end) {
-    LostParticles lost;
+    LostThroughSides lost{};
     for (std::size_t i = begin; i < end; ++i) {
-      if (!outside(i)) continue;
+      std::size_t const side = side_passed(i);
+      if (side == none) continue;
       double specific = store.scalar(Field::specific_energy)[i] + 0.5 * square_of(velocity, i);
       for (std::size_t k = 0; k < axes; ++k) specific -= model_.gravity[k] * position[k][i];
       double const mass = store.scalar(Field::mass)[i];
-      ++lost.count;
-      lost.mass += mass;
-      lost.energy += mass * specific;
+      lost[side].add({1, mass, mass * specific});
     }
     return lost;
   };
-  auto const combine = [](LostParticles a, LostParticles const& b) {
-    return LostParticles{a.count + b.count, a.mass + b.mass, a.energy + b.energy};
+  auto const combine = [](LostThroughSides a, LostThroughSides const& b) {
+    for (std::size_t side = 0; side < a.size(); ++side) a[side].add(b[side]);
+    return a;
   };
   std::size_t const bad = first_bad(count, [&](std::size_t i) {
     for (std::size_t k = 0; k < axes; ++k)
@@ -148,12 +154,13 @@ void Simulation::remove_lost() {
     return false;
   });
   if (bad != none) fail(bad, "its position is not a finite number");
-  LostParticles const lost = reduce_blocks(count, LostParticles{}, add, combine);
-  if (lost.count == 0) return;
+  LostThroughSides const lost = reduce_blocks(count, LostThroughSides{}, add, combine);
+  if (std::none_of(lost.begin(), lost.end(), [](auto const& side) { return side.count > 0; }))
+    return;
   lost_ = combine(lost_, lost);
   leaving_.clear();
   for (std::size_t i = 0; i < count; ++i)
-    if (outside(i)) leaving_.push_back(static_cast<std::uint32_t>(i));
+    if (side_passed(i) != none) leaving_.push_back(static_cast<std::uint32_t>(i));
   store.remove(leaving_);
   if (store.range(Kind::fluid).size() == 0)
     throw SimulationError(

@@ -70,9 +70,12 @@ void Simulation::exchange(Archive& archive) {
   archive.number("time_step/acceleration_limit", acceleration_vote_.time_step);
   archive.number("time_step/motion_limit", motion_vote_.time_step);
   archive.number("time_step/signal_speed", swept_.signal_speed);
-  archive.number("lost/count", lost_.count);
-  archive.number("lost/mass", lost_.mass);
-  archive.number("lost/energy", lost_.energy);
+  for (std::size_t side = 0; side < lost_.size(); ++side) {
+    std::string const name = fmt::format("lost/{}{}", "xyz"[side / 2], "-+"[side % 2]);
+    archive.number(name + "/count", lost_[side].count);
+    archive.number(name + "/mass", lost_[side].mass);
+    archive.number(name + "/energy", lost_[side].energy);
+  }
   for (std::size_t axis = 0; axis < 3; ++axis)
     archive.number(fmt::format("wall_impulse_{}", "xyz"[axis]), wall_impulse_[axis]);
   model_.particles.exchange(archive);
@@ -111,6 +114,12 @@ void Simulation::gather() { pairs_->gather_fluid(model_.particles, search_, pred
 
 void Simulation::continue_into_walls() {
   pairs_->gather_walls(model_.particles, search_, model_.walls);
+}
+
+LostParticles Simulation::lost() const {
+  LostParticles all;
+  for (LostParticles const& side : lost_) all.add(side);
+  return all;
 }
 
 void Simulation::sum_pairs() { swept_ = pairs_->sweep(model_.particles, search_); }

@@ -34,7 +34,17 @@ struct LostParticles {
   std::uint64_t count = 0;
   double mass = 0.0;    // kg
   double energy = 0.0;  // J, kinetic + internal + potential
+
+  void add(LostParticles const& other) {
+    count += other.count;
+    mass += other.mass;
+    energy += other.energy;
+  }
 };
+
+/// Lost particles by the side of the domain that they went through: [2 axis + (0 minus | 1 plus)].
+/// A particle beyond several sides went through the one that it is farthest beyond.
+using LostThroughSides = std::array<LostParticles, 6>;
 
 /// A run in memory. After construction and after each advance(), all fields of the store belong to
 /// time(); rates are those at time().
@@ -67,7 +77,8 @@ class Simulation {
   ParticleStore const& particles() const { return model_.particles; }
   Search const& search() const { return search_; }
   PairBackend const& pairs() const { return *pairs_; }
-  LostParticles const& lost() const { return lost_; }
+  LostParticles lost() const;  // through all sides
+  LostThroughSides const& lost_through() const { return lost_; }
   /// The stages that have begun so far.
   std::vector<StageEvent> const& stage_events() const { return stages_.events(); }
   ConservedSums sums() const;
@@ -125,7 +136,7 @@ class Simulation {
   Vote vote_;
   Vote acceleration_vote_, motion_vote_;
   SweepOutcome swept_;
-  LostParticles lost_;
+  LostThroughSides lost_{};
   std::vector<std::uint32_t> leaving_;  // indices, while lost particles are removed
   std::array<double, 3> wall_impulse_{};
   double time_ = 0.0;

@@ -58,6 +58,22 @@ TEST(LostParticles, AreCountedWithMassAndEnergy) {
   EXPECT_EQ(std::count(id.begin(), id.end(), 3u), 0) << "the right one";
 }
 
+// The last particle flies out through x+; through y- where it starts below that side as well, and
+// is farther beyond it.
+TEST(LostParticles, AreBookedAtTheSideTheyWentThrough) {
+  for (bool const below : {false, true}) {
+    Model model = one_leaves();
+    if (below) model.particles.component(Field::velocity, 1)[3] = -100.0;
+    Simulation simulation(std::move(model));
+    while (simulation.running()) simulation.advance();
+    std::size_t const expected = below ? 2 : 1;
+    for (std::size_t side = 0; side < 6; ++side)
+      EXPECT_EQ(simulation.lost_through()[side].count, side == expected ? 1u : 0u) << side;
+    EXPECT_EQ(simulation.lost_through()[expected].mass, simulation.lost().mass);
+    EXPECT_EQ(simulation.lost_through()[expected].energy, simulation.lost().energy);
+  }
+}
+
 TEST(LostParticles, NoneOnPeriodicAxes) {
   Model model = one_leaves();
   model.periodic[0] = true;
