@@ -50,6 +50,20 @@ struct SweepOutcome {
   }
 };
 
+/// What the fluid does to one wall particle.
+struct WallLoad {
+  std::array<double, 3> force{};  // N
+  bool wet = false;               // fluid is closer than the support
+};
+
+/// Where energy goes at one instant, summed over all particles [W].
+struct EnergyRates {
+  double viscosity = 0.0;       // heat of the artificial viscosity between fluid particles
+  double wall_viscosity = 0.0;  // the same between fluid and walls
+  double diffusion = 0.0;  // sum of m p / rho^2 d(rho)/dt by density diffusion: elastic energy that
+                           // the term adds behind the back of the energy equation
+};
+
 /// Keeps the gathered records and runs the loops over pairs.
 class PairBackend {
  public:
@@ -65,6 +79,15 @@ class PairBackend {
   /// Sums all terms over all pairs; writes acceleration (without gravity), density_rate and
   /// energy_rate of the fluid.
   virtual SweepOutcome sweep(ParticleStore& store, Search const& search) = 0;
+
+  /// The forces that the last sweep put on the fluid, seen from the walls: one load for each of
+  /// search.wet_walls(), in their order. A pass over the lists of wall particles in scalar double,
+  /// for the moments at which somebody asks; the sum of all loads is the opposite of wall_force.
+  virtual void loads_on_walls(ParticleStore const& store, Search const& search,
+                              std::vector<WallLoad>& loads) const = 0;
+
+  /// Rates at the state of the last sweep. A pass over all pairs with the dissipative terms alone.
+  virtual EnergyRates energy_rates(ParticleStore const& store, Search const& search) const = 0;
 
   /// Directed pairs of a fluid particle with a fluid or wall neighbour closer than the support.
   virtual std::uint64_t count_pairs(Search const& search) const = 0;

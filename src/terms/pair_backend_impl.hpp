@@ -28,6 +28,7 @@ class PairBackendImpl final : public PairBackend {
   using Real = typename LaneType<D, flavour>::Real;
   using FluidLayout = typename Scheme::Fluid;
   using WallLayout = typename Scheme::Wall;
+  using Number = std::conditional_t<flavour == Flavour::reference, double, Real>;
 
  public:
   PairBackendImpl(SweepParameters const& parameters, std::vector<double> reference_densities)
@@ -76,6 +77,38 @@ class PairBackendImpl final : public PairBackend {
       return a;
     };
     return reduce_blocks(store.range(Kind::fluid).size(), SweepOutcome{}, swept, combine);
+  }
+
+  void loads_on_walls(ParticleStore const& store, Search const& search,
+                      std::vector<WallLoad>& loads) const override {
+    auto const& wet = search.wet_walls();
+    loads.resize(wet.size());
+    for_each_block(wet.size(), NeighbourList::block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) loads[n] = load_on(store, search, wet[n]);
+    });
+  }
+
+  EnergyRates energy_rates(ParticleStore const& store, Search const& search) const override {
+    auto const mass = store.scalar(Field::mass);
+    auto const add = [&](std::size_t begin, std::size_t end) {
+      EnergyRates rates;
+      auto const use = [&](std::size_t i, auto const& sum, auto const& from_fluid) {
+        double const all = sum_of_lanes(sum.energy_rate);
+        double const inner = from_fluid ? sum_of_lanes(from_fluid->energy_rate) : all;
+        rates.viscosity += mass[i] * inner;
+        rates.wall_viscosity += mass[i] * (all - inner);
+        rates.diffusion +=
+            mass[i] * fluid_.get(i, PairField::pressure_term) * sum_of_lanes(sum.density_rate);
+      };
+      for_each_sum(search, begin, end, dissipative_terms<Number, D>(parameters_),
+                   dissipative_wall_terms<Number>(parameters_), use);
+      return rates;
+    };
+    auto const combine = [](EnergyRates const& a, EnergyRates const& b) {
+      return EnergyRates{a.viscosity + b.viscosity, a.wall_viscosity + b.wall_viscosity,
+                         a.diffusion + b.diffusion};
+    };
+    return reduce_blocks(fluid_.owned(), EnergyRates{}, add, combine);
   }
 
   std::uint64_t count_pairs(Search const& search) const override {
@@ -178,7 +211,7 @@ class PairBackendImpl final : public PairBackend {
     std::span<double> acceleration[D];
     for (int axis = 0; axis < D; ++axis)
       acceleration[axis] = store.component(Field::acceleration, axis);
-    for_each_sum(search, begin, end, [&](std::size_t i, auto const& sum, auto const& from_fluid) {
+    auto const use = [&](std::size_t i, auto const& sum, auto const& from_fluid) {
       for (int axis = 0; axis < D; ++axis) {
         acceleration[axis][i] = sum_of_lanes(sum.acceleration[axis]);
         if (from_fluid)
@@ -192,17 +225,17 @@ class PairBackendImpl final : public PairBackend {
       double const signal = sound_speed[i] + 0.6 * (parameters_.viscosity_alpha * sound_speed[i] +
                                                     parameters_.viscosity_beta * mu);
       outcome.include(signal, i);
-    });
+    };
+    for_each_sum(search, begin, end, fluid_terms<Number, D>(parameters_),
+                 wall_terms<Number>(parameters_), use);
     return outcome;
   }
 
   /// Calls use(i, sum over all neighbours, the sum before wall neighbours were added if any were).
-  template <class Use>
-  void for_each_sum(Search const& search, std::size_t begin, std::size_t end, Use&& use) const {
-    using Number = std::conditional_t<flavour == Flavour::reference, double, Real>;
+  template <class FluidTerms, class WallTerms, class Use>
+  void for_each_sum(Search const& search, std::size_t begin, std::size_t end,
+                    FluidTerms const& with_fluid, WallTerms const& with_wall, Use&& use) const {
     SweepConstants<Real, D, Kernel> const constants(parameters_);
-    auto const with_fluid = fluid_terms<Number, D>(parameters_);
-    auto const with_wall = wall_terms<Number>(parameters_);
     for (std::size_t i = begin; i < end; ++i) {
       Broadcast<Number, FluidLayout> const self{fluid_.record(i), uniform_.data()};
       PairSum<Number, D> sum{};
@@ -224,6 +257,33 @@ class PairBackendImpl final : public PairBackend {
       }
       use(i, sum, from_fluid);
     }
+  }
+
+  /// The force of all fluid particles on one wall particle: each pair as in the sweep, in double.
+  WallLoad load_on(ParticleStore const& store, Search const& search, std::size_t w) const {
+    auto const terms = wall_terms<double>(parameters_);
+    auto const uniform = parameters_.template uniform_as<double>();
+    auto const wall = wall_.in_metres(w, parameters_.position_scale);
+    double const reach = kernel_support * parameters_.smoothing_length;
+    static constexpr std::array<std::uint32_t, 1> only{0};
+    auto const& images = search.images(Kind::fluid);
+    WallLoad load;
+    for (std::uint32_t const j : search.wall_fluid().points(w)) {
+      auto const fluid = fluid_.in_metres(j, parameters_.position_scale);
+      double distance2 = 0.0;
+      for (std::size_t axis = 0; axis < static_cast<std::size_t>(D); ++axis)
+        distance2 += (fluid[axis] - wall[axis]) * (fluid[axis] - wall[axis]);
+      if (distance2 >= reach * reach) continue;
+      load.wet = true;
+      Broadcast<double, FluidLayout> const self{fluid.data(), uniform.data()};
+      PairSum<double, D> sum{};
+      reference_sum<true, D, Kernel, WallLayout>(parameters_, self, only, wall.data(), terms, sum);
+      std::size_t const owner = j < fluid_.owned() ? j : images[j - fluid_.owned()].source;
+      double const mass = store.scalar(Field::mass)[owner];
+      for (std::size_t axis = 0; axis < static_cast<std::size_t>(D); ++axis)
+        load.force[axis] -= mass * sum.acceleration[axis];
+    }
+    return load;
   }
 
   template <class Neighbours>

@@ -1,6 +1,7 @@
 // Gathered copies: the records of one kind of particle, refreshed once per step.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <type_traits>
@@ -41,6 +42,23 @@ class Records {
   }
   void set(std::size_t i, PairField field, double value, int component = 0) {
     record(i)[Layout::offset(field) + component] = static_cast<Slot>(value);
+  }
+
+  double get(std::size_t i, PairField field, int component = 0) const {
+    return static_cast<double>(record(i)[Layout::offset(field) + component]);
+  }
+
+  /// A record as the plain loop in double reads it; positions in metres from the place where
+  /// fixed-point units are zero. scale: metres per unit.
+  std::array<double, Layout::stride> in_metres(std::size_t i, double scale) const {
+    std::array<double, Layout::stride> numbers{};
+    Slot const* const from = record(i);
+    for (std::size_t k = 0; k < Layout::stride; ++k) {
+      bool const place = fixed && k < static_cast<std::size_t>(D);
+      numbers[k] = place ? std::bit_cast<Units>(static_cast<float>(from[k])) * scale
+                         : static_cast<double>(from[k]);
+    }
+    return numbers;
   }
 
   /// Copies records to their images, moved by whole periods.

@@ -14,29 +14,43 @@
 
 namespace moraine {
 
-/// Terms between fluid particles, built for a number type from the parameters of a run.
+/// Terms that take energy from motion, or from compression without telling the energy equation.
 template <class Real, int D>
-auto fluid_terms(SweepParameters const& p) {
+auto dissipative_terms(SweepParameters const& p) {
   DensityDiffusion<Real, D> diffusion{number<Real>(2.0 * p.density_diffusion * p.smoothing_length),
                                       {}};
   for (int axis = 0; axis < D; ++axis)
     diffusion.hydrostatic_slope[axis] =
         number<Real>(p.hydrostatic_slope[static_cast<std::size_t>(axis)]);
   return std::tuple{
-      ContinuityDensity<Real>{number<Real>(p.volume_continuity ? 1.0 : 0.0)}, PressureForce{},
       ArtificialViscosity<Real>{number<Real>(p.viscosity_alpha), number<Real>(p.viscosity_beta),
                                 number<Real>(p.smoothing_length)},
       diffusion};
 }
 
-/// Terms between a fluid particle and a wall: no diffusion, a wall has no density of its own.
+/// The same between a fluid particle and a wall: no diffusion, a wall has no density of its own.
+template <class Real>
+auto dissipative_wall_terms(SweepParameters const& p) {
+  return std::tuple{ArtificialViscosity<Real>{number<Real>(p.viscosity_alpha),
+                                              number<Real>(p.viscosity_beta),
+                                              number<Real>(p.smoothing_length)}};
+}
+
+/// Terms between fluid particles, built for a number type from the parameters of a run.
+template <class Real, int D>
+auto fluid_terms(SweepParameters const& p) {
+  return std::tuple_cat(
+      std::tuple{ContinuityDensity<Real>{number<Real>(p.volume_continuity ? 1.0 : 0.0)},
+                 PressureForce{}},
+      dissipative_terms<Real, D>(p));
+}
+
+/// Terms between a fluid particle and a wall.
 template <class Real>
 auto wall_terms(SweepParameters const& p) {
-  return std::tuple{
-      ContinuityDensity<Real>{number<Real>(0)}, WallPressure{},
-      WallContact<Real>{number<Real>(1.0 / p.contact_gap)},
-      ArtificialViscosity<Real>{number<Real>(p.viscosity_alpha), number<Real>(p.viscosity_beta),
-                                number<Real>(p.smoothing_length)}};
+  return std::tuple_cat(std::tuple{ContinuityDensity<Real>{number<Real>(0)}, WallPressure{},
+                                   WallContact<Real>{number<Real>(1.0 / p.contact_gap)}},
+                        dissipative_wall_terms<Real>(p));
 }
 
 /// One weakly compressible liquid: mass, reference density and sound speed are the same for all
