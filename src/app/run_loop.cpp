@@ -92,6 +92,7 @@ void say_end(Run const& run, Timers const& saving, std::string const& reason, do
   if (simulation.lost().count > 0)
     fmt::print("{} particles left the domain and were removed ({:.4g} kg, {:.4g} J)\n",
                simulation.lost().count, simulation.lost().mass, simulation.lost().energy);
+  for (std::string const& remark : run.recorder.remarks()) fmt::print("{}\n", remark);
   std::string const folder = run.folder.string();
   fmt::print(
       "\n{}\nresults in {}: particles.pvd (ParaView), gauges.csv, sums.csv; pictures: "

@@ -8,29 +8,10 @@
 #include "output/atomic_file.hpp"
 #include "output/run_folder.hpp"
 #include "output/vtp_writer.hpp"
-#include "probes/point_probe.hpp"
 #include "setup/used_case.hpp"
 
 namespace moraine {
 namespace {
-
-constexpr std::array axis_letter{'x', 'y', 'z'};
-
-std::vector<TableColumn> gauge_columns(Case const& c) {
-  std::vector<TableColumn> columns{{"time", "s"}};
-  for (GaugeSpec const& gauge : c.gauges) {
-    if (gauge.kind == GaugeKind::front) {
-      columns.push_back({gauge.name + " front", "m"});
-      continue;
-    }
-    columns.push_back({gauge.name + " pressure", "Pa"});
-    columns.push_back({gauge.name + " density", "kg/m^3"});
-    columns.push_back({gauge.name + " specific_energy", "J/kg"});
-    for (std::size_t axis = 0; axis < static_cast<std::size_t>(c.dimension); ++axis)
-      columns.push_back({fmt::format("{} velocity_{}", gauge.name, axis_letter[axis]), "m/s"});
-  }
-  return columns;
-}
 
 std::vector<TableColumn> sums_columns() {
   return {{"time", "s"},
@@ -48,12 +29,6 @@ std::vector<TableColumn> sums_columns() {
           {"particles", ""},
           {"lost_particles", ""},
           {"time_step", "s"}};
-}
-
-MaterialId material_of(Case const& c, std::string const& name) {
-  auto const found = std::find_if(c.materials.begin(), c.materials.end(),
-                                  [&](MaterialSpec const& m) { return m.name == name; });
-  return static_cast<MaterialId>(found - c.materials.begin());
 }
 
 std::vector<PvdEntry> frames_at(std::vector<double> const& times) {
@@ -86,7 +61,8 @@ RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::files
     : case_(c),
       folder_(std::move(folder)),
       frames_(folder_ / "particles.pvd"),
-      gauges_(folder_ / "gauges.csv", gauge_columns(c)),
+      probes_(c),
+      gauges_(folder_ / "gauges.csv", probes_.columns()),
       sums_(folder_ / "sums.csv", sums_columns()),
       frame_schedule_(c.output.frame_interval, c.output.frame_times, false),
       gauge_schedule_(c.output.gauge_interval, {}, c.output.gauge_interval <= 0.0),
@@ -104,6 +80,7 @@ RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::files
     write_vtp(folder_ / "walls.vtp", simulation.particles(), Kind::wall, 0.0);
   else
     std::filesystem::remove(folder_ / "walls.vtp");
+  tell_probes(simulation);
   pass_schedules(0.0);
   write_frame(simulation);
   write_gauges(simulation);
@@ -116,7 +93,8 @@ RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::files
       folder_(std::move(folder)),
       manifest_(saved.manifest),
       frames_(folder_ / "particles.pvd", frames_at(saved.frame_times)),
-      gauges_(folder_ / "gauges.csv", gauge_columns(c), saved.gauges_size),
+      probes_(c),
+      gauges_(folder_ / "gauges.csv", probes_.columns(), saved.gauges_size),
       sums_(folder_ / "sums.csv", sums_columns(), saved.sums_size),
       frame_schedule_(c.output.frame_interval, c.output.frame_times, false),
       gauge_schedule_(c.output.gauge_interval, {}, c.output.gauge_interval <= 0.0),
@@ -176,6 +154,7 @@ void RecorderState::exchange(Archive& archive) {
 }
 
 void RunRecorder::tell(Simulation const& simulation) {
+  tell_probes(simulation);
   double const time = simulation.time();
   if (simulation.stage_events().size() > manifest_.stages.size()) write_stages(simulation);
   if (frame_schedule_.due(time)) write_frame(simulation);
@@ -200,8 +179,14 @@ std::filesystem::path RunRecorder::give_up(Simulation const& simulation, std::st
   return snapshot;
 }
 
+void RunRecorder::tell_probes(Simulation const& simulation) {
+  ScopedTimer const timing(timers_, gauge_timer_);
+  probes_.tell(simulation);
+}
+
 void RunRecorder::write_end(Simulation const& simulation, std::string const& reason,
                             double wall_time) {
+  probes_.write_summary(folder_ / "gauges.json");
   manifest_.end = RunEnd{reason, wall_time, simulation.time(), simulation.step(),
                          simulation.particles().size()};
   write_manifest(folder_ / "manifest.json", manifest_);
@@ -215,27 +200,15 @@ void RunRecorder::write_stages(Simulation const& simulation) {
 void RunRecorder::write_frame(Simulation const& simulation) {
   ScopedTimer const timing(timers_, frame_timer_);
   std::string const name = frame_name(frames_.entries().size());
-  write_vtp(folder_ / name, simulation.particles(), Kind::fluid, simulation.time());
+  write_vtp(folder_ / name, simulation.particles(), Kind::fluid, simulation.time(),
+            probes_.envelopes());
   frames_.add(simulation.time(), name);
 }
 
 void RunRecorder::write_gauges(Simulation const& simulation) {
   ScopedTimer const timing(timers_, gauge_timer_);
   last_gauge_time_ = simulation.time();
-  std::vector<double> row{simulation.time()};
-  for (GaugeSpec const& gauge : case_.gauges) {
-    if (gauge.kind == GaugeKind::front) {
-      row.push_back(probe_front(simulation.particles(), material_of(case_, gauge.material),
-                                gauge.axis, gauge.direction));
-      continue;
-    }
-    PointState const state =
-        probe_point(simulation.particles(), simulation.search(), case_.numerics.kernel,
-                    case_.numerics.smoothing_length(), gauge.position);
-    row.insert(row.end(), {state.pressure, state.density, state.specific_energy});
-    row.insert(row.end(), state.velocity.begin(), state.velocity.begin() + case_.dimension);
-  }
-  gauges_.add(row);
+  gauges_.add(probes_.read(simulation));
 }
 
 void RunRecorder::write_sums(Simulation const& simulation) {

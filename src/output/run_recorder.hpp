@@ -8,6 +8,7 @@
 #include "base/archive.hpp"
 #include "base/timer.hpp"
 #include "output/manifest.hpp"
+#include "output/probe_recorder.hpp"
 #include "output/pvd_collection.hpp"
 #include "output/table_csv.hpp"
 #include "setup/case.hpp"
@@ -59,6 +60,9 @@ class RunRecorder {
 
   RecorderState state() const;
 
+  /// Saves or restores what the gauges remember.
+  void exchange_probes(Archive& archive) { probes_.exchange(archive); }
+
   /// Hands what has been written to the disk.
   void sync();
 
@@ -77,9 +81,13 @@ class RunRecorder {
   /// Time spent on writing, by label.
   Timers const& timers() const { return timers_; }
 
+  /// What the gauges have to say at the end; one line each.
+  std::vector<std::string> remarks() const { return probes_.remarks(); }
+
  private:
   void write_start(int threads);
   void pass_schedules(double time);
+  void tell_probes(Simulation const& simulation);
   void write_end(Simulation const& simulation, std::string const& reason, double wall_time);
   void write_stages(Simulation const& simulation);
   void write_frame(Simulation const& simulation);
@@ -90,6 +98,7 @@ class RunRecorder {
   std::filesystem::path folder_;
   Manifest manifest_;
   PvdCollection frames_;
+  ProbeRecorder probes_;
   TableCsv gauges_;
   TableCsv sums_;
   Schedule frame_schedule_, gauge_schedule_, sums_schedule_;

@@ -55,8 +55,8 @@ void write_numbers(std::ostream& stream, std::vector<T> const& numbers) {
 
 class FrameWriter {
  public:
-  FrameWriter(ParticleStore const& store, Kind kind)
-      : store_(store), kind_(kind), range_(store.range(kind)) {}
+  FrameWriter(ParticleStore const& store, Kind kind, std::vector<ParticleArray> const& more)
+      : store_(store), kind_(kind), range_(store.range(kind)), more_(more) {}
 
   void write(std::ostream& stream, double time);
 
@@ -69,6 +69,7 @@ class FrameWriter {
   ParticleStore const& store_;
   Kind kind_;
   Range range_;
+  std::vector<ParticleArray> const& more_;
   std::uint64_t offset_ = 0;  // of the next block, counted from behind the underscore
 };
 
@@ -120,6 +121,12 @@ void FrameWriter::write(std::ostream& stream, double time) {
   blocks.push_back(field_block(Field::position));
   for (Field const field : written_fields) blocks.push_back(field_block(field));
   std::size_t const first = range_.begin;
+  for (ParticleArray const& array : more_) {
+    blocks.push_back(block<float>("Float32", array.name, [this, first, &array](std::size_t i) {
+      return static_cast<float>(array.by_id[store_.id()[first + i]]);
+    }));
+    blocks.back().unit = array.unit;
+  }
   blocks.push_back(block<std::uint8_t>(
       "UInt8", "material", [this, first](std::size_t i) { return store_.material()[first + i]; }));
   blocks.push_back(block<std::uint8_t>(
@@ -152,9 +159,9 @@ void FrameWriter::write(std::ostream& stream, double time) {
 }  // namespace
 
 void write_vtp(std::filesystem::path const& path, ParticleStore const& store, Kind kind,
-               double time) {
+               double time, std::vector<ParticleArray> const& more) {
   AtomicFile file(path);
-  FrameWriter(store, kind).write(file.stream(), time);
+  FrameWriter(store, kind, more).write(file.stream(), time);
   file.commit();
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/parallel_for.hpp"
+#include "probes/kernel_shape.hpp"
 
 namespace moraine {
 namespace {
@@ -23,15 +24,6 @@ Sums combine(Sums a, Sums const& b) {
   return a;
 }
 
-double shape(KernelName kernel, int dimension, double q) {
-  auto const of = [&]<int D>(std::integral_constant<int, D>) {
-    return kernel == KernelName::cubic_spline ? CubicSpline<D>::shape(q) : WendlandC2<D>::shape(q);
-  };
-  if (dimension == 1) return of(std::integral_constant<int, 1>{});
-  if (dimension == 2) return of(std::integral_constant<int, 2>{});
-  return of(std::integral_constant<int, 3>{});
-}
-
 /// Adds particle i, seen from x, to the sums.
 void include(Sums& sums, ParticleStore const& store, std::size_t i, KernelName kernel, double h,
              std::array<double, 3> const& x) {
@@ -41,7 +33,7 @@ void include(Sums& sums, ParticleStore const& store, std::size_t i, KernelName k
     distance2 += d * d;
   }
   if (distance2 >= kernel_support * kernel_support * h * h) return;
-  double const w = shape(kernel, store.dimension(), std::sqrt(distance2) / h) *
+  double const w = kernel_shape(kernel, store.dimension(), std::sqrt(distance2) / h) *
                    store.scalar(Field::mass)[i] / store.scalar(Field::density)[i];
   sums.weight += w;
   sums.state.pressure += w * store.scalar(Field::pressure)[i];

@@ -10,7 +10,7 @@
 #include "base/input_error.hpp"
 #include "setup/case_size.hpp"
 #include "setup/fill.hpp"
-#include "walls/dummy_layer.hpp"
+#include "setup/wall_parts.hpp"
 
 namespace moraine {
 namespace {
@@ -40,30 +40,17 @@ void add_fluid(Case const& c, Model& model, Members& members) {
   }
 }
 
-BoxWall box_wall(Case const& c, WallSpec const& spec) {
-  BoxWall wall;
-  wall.dimension = c.dimension;
-  wall.min = spec.box.min;
-  wall.max = spec.box.max;
-  wall.solid = spec.form == WallForm::container ? SolidSide::outside : SolidSide::inside;
-  wall.open = spec.open;
-  wall.periodic = {c.periodic, c.domain.min, c.domain.max};
-  return wall;
-}
-
 void add_walls(Case const& c, Model& model, Members& members) {
   ParticleStore& store = model.particles;
   model.walls.first_id = store.size();
   double const density = reference_density(model.materials.front().eos);
-  int const layers =
-      static_cast<int>(std::ceil(kernel_support * c.numerics.smoothing_factor - 1e-9));
   std::uint32_t surface = 0;
   std::vector<InputProblem> problems;
   for (WallSpec const& spec : c.walls) {
     std::vector<Dummy> dummies;
     auto& ids = members.walls.emplace_back();
     try {
-      dummies = make_dummy_layer(box_wall(c, spec), c.numerics.spacing, layers, surface);
+      dummies = make_wall_dummies(c, spec, surface);
     } catch (std::invalid_argument const& error) {
       problems.push_back(problem_of(c, "wall." + spec.name, error.what()));
     }
@@ -153,6 +140,7 @@ Model build_model(Case const& c) {
   add_fluid(c, model, members);
   add_walls(c, model, members);
   add_stages(c, model, members);
+  check_wall_parts(c);
   return model;
 }
 

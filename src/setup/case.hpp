@@ -17,6 +17,7 @@
 #include "base/input_error.hpp"
 #include "matter/eos/eos.hpp"
 #include "setup/stage_spec.hpp"
+#include "setup/probe_spec.hpp"
 #include "step/settings.hpp"
 
 namespace moraine {
@@ -80,10 +81,11 @@ struct WallSpec {
   Slip slip = Slip::free;
 };
 
-enum class GaugeKind : std::uint8_t { point, front };
+enum class GaugeKind : std::uint8_t { point, front, wall, line, level, sums, side, budget };
 
 /// `point`: Shepard-interpolated pressure, density, velocity and energy at a fixed place.
 /// `front`: the farthest particle position of a material along an axis.
+/// The other kinds are in setup/probe_spec.hpp.
 struct GaugeSpec {
   std::string name;
   GaugeKind kind = GaugeKind::point;
@@ -91,6 +93,7 @@ struct GaugeSpec {
   std::string material;  // front
   int axis = 0;          // front
   int direction = +1;    // front: +1 the largest coordinate, -1 the smallest
+  ProbeSpec probe;       // the other kinds
 };
 
 struct OutputSpec {
@@ -99,6 +102,8 @@ struct OutputSpec {
   double gauge_interval = 0.0;         // s; 0: every step
   double sums_interval = 0.0;          // s; 0: every step
   double checkpoint_interval = 600.0;  // s of wall time; 0: none while the run goes on
+  // Pa: a rise of the pressure that counts as arrival; frames hold envelopes where it is given.
+  std::optional<double> arrival_pressure;
 };
 
 /// Where the value of a key stands in the case file, and how it is written.

@@ -160,6 +160,13 @@ void add_output(std::vector<Entry<Case>>& table) {
        .preset = 600.0,
        .limits = Limits::not_negative(),
        .meaning = "wall time between checkpoints; 0: only at the start and when it is stopped"}));
+  table.push_back(member<Case, output, &OutputSpec::arrival_pressure>(
+      {.key = "output.arrival_pressure",
+       .quantity = Quantity::pressure,
+       .preset_note = "no arrivals, no envelopes",
+       .limits = Limits::positive(),
+       .meaning = "rise of the pressure that counts as arrival; where given, frames hold the peak, "
+                  "its time, the arrival and the impulse of each particle"}));
 }
 
 std::vector<Entry<Case>> make_table() {

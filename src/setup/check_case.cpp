@@ -9,6 +9,7 @@
 
 #include "base/input_error.hpp"
 #include "setup/check_stages.hpp"
+#include "setup/check_probe.hpp"
 #include "setup/geometry.hpp"
 #include "setup/parameter.hpp"
 
@@ -41,6 +42,8 @@ class CaseCheck {
     for (std::size_t i = 0; i < case_.gauges.size(); ++i)
       if (case_.gauges[i].kind == GaugeKind::front)
         check_material(case_.gauges[i].material, keys_.gauges[i] + ".material");
+      else
+        check_probe(case_, case_.gauges[i], keys_.gauges[i], source_);
     check_stages(case_, keys_.stages, source_);
     check_domain();
   }
@@ -161,6 +164,7 @@ class CaseCheck {
       if (gauge.kind == GaugeKind::point && source_.good(key) &&
           !is_inside({gauge.position, gauge.position}, case_.domain, case_.dimension))
         source_.report_value(key, "is outside the domain");
+      check_probe_places(case_, gauge, keys_.gauges[i], source_);
     }
   }
 

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "setup/parameter_table.hpp"
+#include "setup/probe_table.hpp"
 
 namespace moraine {
 namespace {
@@ -189,8 +190,11 @@ std::vector<Entry<GaugeSpec>> make_gauge_table() {
        .key = "kind",
        .type = ValueType::choice,
        .preset = static_cast<int>(GaugeKind::point),
-       .names = {"point", "front"},
-       .meaning = "point: state at a fixed place; front: farthest particle of a material"}));
+       .names = {"point", "front", "wall", "line", "level", "sums", "side", "budget"},
+       .meaning = "point: state at a fixed place; front: farthest particle of a material; wall: "
+                  "load on a wall; line: states along a line; level: height of the free surface; "
+                  "sums: energies and momentum of a material; side: what left through a side of "
+                  "the domain; budget: where energy goes"}));
   Parameter position = length_vector(Section::gauge, "position", "place of the gauge");
   position.when_key = "kind";
   position.when_value = "point";
@@ -212,6 +216,7 @@ std::vector<Entry<GaugeSpec>> make_gauge_table() {
   };
   table.push_back(std::move(material));
   table.push_back(front_side());
+  add_probe_entries(table);
   return table;
 }
 

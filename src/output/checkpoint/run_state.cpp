@@ -27,14 +27,14 @@ void exchange_layout(Archive& archive) {
 
 }  // namespace
 
-void save_run(Archive& archive, Case const& c, Simulation& simulation,
-              RunRecorder const& recorder) {
+void save_run(Archive& archive, Case const& c, Simulation& simulation, RunRecorder& recorder) {
   exchange_layout(archive);
   std::string text = used_case(c);
   archive.text("case", text);
   simulation.save(archive);
   RecorderState state = recorder.state();
   state.exchange(archive);
+  recorder.exchange_probes(archive);
 }
 
 RestoredRun restore_run(std::filesystem::path const& checkpoint,
@@ -49,6 +49,7 @@ RestoredRun restore_run(std::filesystem::path const& checkpoint,
     RecorderState state;
     state.exchange(archive);
     run.recorder = std::make_unique<RunRecorder>(run.c, *run.simulation, folder, threads, state);
+    run.recorder->exchange_probes(archive);
   });
   return run;
 }

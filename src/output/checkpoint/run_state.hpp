@@ -12,7 +12,7 @@
 namespace moraine {
 
 /// Saves case, simulation and recorder: all that is needed to go on.
-void save_run(Archive& archive, Case const& c, Simulation& simulation, RunRecorder const& recorder);
+void save_run(Archive& archive, Case const& c, Simulation& simulation, RunRecorder& recorder);
 
 /// A run as it was when it was saved.
 struct RestoredRun {

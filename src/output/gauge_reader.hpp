@@ -1,0 +1,34 @@
+// How each kind of gauge is read: its columns, and its values at one time.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "output/energy_budget.hpp"
+#include "output/table_csv.hpp"
+#include "probes/wall_probe.hpp"
+#include "setup/case.hpp"
+#include "step/simulation.hpp"
+
+namespace moraine {
+
+/// A run at the moment of a reading, with what several gauges share.
+struct ReadingContext {
+  Simulation const& simulation;
+  std::vector<WallLoad> const& loads;  // of the wet walls; empty where no gauge reads a wall
+  EnergyBudget const& budget;
+};
+
+/// One gauge. `read` appends one value per column and returns whether the gauge saw anything: a
+/// particle, a wet wall, a surface.
+struct GaugeReader {
+  std::string name;
+  std::vector<TableColumn> columns;
+  std::function<bool(ReadingContext const&, std::vector<double>&)> read;
+};
+
+/// The reader of a gauge of this case, whose names are known to be good.
+GaugeReader make_gauge_reader(Case const& c, GaugeSpec const& gauge);
+
+}  // namespace moraine
