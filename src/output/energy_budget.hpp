@@ -17,7 +17,7 @@ namespace moraine {
 /// elastic energy that the equation of state would give back, and the energy equation does not know
 /// it; see docs/probes.md.
 ///
-/// Costs about half a sweep in each step.
+/// Costs another loop over all pairs in each step, nearly as long as the sweep.
 class EnergyBudget {
  public:
   /// Call at the start and after each step.

@@ -24,6 +24,9 @@ class ProbeRecorder {
   /// Columns of the table of readings: time first.
   std::vector<TableColumn> const& columns() const { return columns_; }
 
+  /// Whether something is followed from step to step: the energy budget, envelopes.
+  bool follows_steps() const { return reads_budget_ || envelope_.has_value(); }
+
   /// Call at the start and after each step, before reading.
   void tell(Simulation const& simulation);
 

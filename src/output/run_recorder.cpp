@@ -180,6 +180,7 @@ std::filesystem::path RunRecorder::give_up(Simulation const& simulation, std::st
 }
 
 void RunRecorder::tell_probes(Simulation const& simulation) {
+  if (!probes_.follows_steps()) return;
   ScopedTimer const timing(timers_, gauge_timer_);
   probes_.tell(simulation);
 }

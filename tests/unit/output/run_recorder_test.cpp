@@ -126,6 +126,23 @@ TEST_F(Recorder, WritesTheLastFrameOnce) {
   EXPECT_EQ(frames(), 4u);
 }
 
+TEST_F(Recorder, SumsUpItsGaugesAndPutsEnvelopesIntoFrames) {
+  Case const c = small("arrival_pressure = 1.0");
+  Simulation simulation(build_model(c));
+  RunRecorder recorder(c, simulation, folder(), 1);
+  simulation.advance();
+  recorder.tell(simulation);
+  recorder.finish(simulation, "enough", 0.0);
+  EXPECT_TRUE(recorder.remarks().empty());
+  auto const gauge = nlohmann::json::parse(bytes_of(folder() / "gauges.json")).at("gauges").at(0);
+  EXPECT_EQ(gauge.at("name"), "middle");
+  EXPECT_EQ(gauge.at("seen"), true);
+  EXPECT_TRUE(gauge.at("columns").at("middle pressure").at("arrival").is_null());
+  auto const frame = read_vtp(folder() / "frames/particles_000001.vtp");
+  for (char const* const name : {"peak_pressure", "time_of_peak", "arrival", "impulse"})
+    EXPECT_NE(frame.find(name), nullptr) << name;
+}
+
 TEST_F(Recorder, KeepsABrokenStateApart) {
   Case const c = small("");
   Simulation const simulation(build_model(c));
