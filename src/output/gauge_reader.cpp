@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "probes/level_probe.hpp"
@@ -107,6 +108,11 @@ GaugeReader wall_reader(Case const& c, GaugeSpec const& gauge) {
   WallPart part{wall_members(c, gauge), gauge.probe.about};
   reader.read = [part, first_torque](ReadingContext const& at, std::vector<double>& row) {
     Model const& model = at.simulation.model();
+    if (at.loads.size() != at.simulation.search().wet_walls().size()) {
+      auto const columns = static_cast<std::size_t>(model.dimension) + (3 - first_torque) + 3;
+      row.insert(row.end(), columns, std::numeric_limits<double>::quiet_NaN());
+      return false;
+    }
     WallReading const load =
         probe_wall({at.simulation.particles(), at.simulation.search(), model.walls, at.loads,
                     model.gravity, model.numerics.spacing},

@@ -16,7 +16,9 @@ namespace moraine {
 /// A run at the moment of a reading, with what several gauges share.
 struct ReadingContext {
   Simulation const& simulation;
-  std::vector<WallLoad> const& loads;  // of the wet walls; empty where no gauge reads a wall
+  // Of the wet walls; none where no gauge reads a wall, or where a run was restored and has made no
+  // step since: then loads are not known, and their readings are no numbers.
+  std::vector<WallLoad> const& loads;
   EnergyBudget const& budget;
 };
 

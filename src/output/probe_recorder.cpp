@@ -63,7 +63,9 @@ void ProbeRecorder::tell(Simulation const& simulation) {
 }
 
 std::vector<double> ProbeRecorder::read(Simulation const& simulation) {
-  if (reads_walls_)
+  // A restored run has no pairs before its first step.
+  loads_.clear();
+  if (reads_walls_ && simulation.pairs().bytes() > 0)
     simulation.pairs().loads_on_walls(simulation.particles(), simulation.search(), loads_);
   ReadingContext const at{simulation, loads_, budget_};
   std::vector<double> row{simulation.time()};

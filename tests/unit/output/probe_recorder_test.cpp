@@ -174,6 +174,23 @@ TEST_F(Probes, GoOnFromASavedState) {
           << arrays[k].name;
 }
 
+// What walls bear is known from pairs, and a restored run has none before its first step.
+TEST_F(Probes, LoadsOfARestoredRunAreKnownAfterItsFirstStep) {
+  Simulation simulation(build_model(case_));
+  simulation.advance();
+  auto const image = path("state.h5");
+  with_hdf5_image([&](Archive& archive) { simulation.save(archive); },
+                  [&](FileImage bytes) { write_file(image, bytes); });
+  std::unique_ptr<Simulation> restored;
+  restore_hdf5(image, [&](Archive& archive) {
+    restored = std::make_unique<Simulation>(build_model(case_), archive);
+  });
+  ProbeRecorder probes(case_);
+  EXPECT_TRUE(std::isnan(value(probes, probes.read(*restored), "tank force_y")));
+  restored->advance();
+  EXPECT_LT(value(probes, probes.read(*restored), "tank force_y"), 0.0);
+}
+
 TEST_F(Probes, EnvelopesGoWithTheFramesByParticle) {
   ParticleStore store(1);
   store.append(Kind::fluid, 0);
