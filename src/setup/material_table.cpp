@@ -2,7 +2,9 @@
 #include <string_view>
 #include <vector>
 
+#include "setup/materials.hpp"
 #include "setup/parameter_table.hpp"
+#include "setup/toml.hpp"
 
 namespace moraine {
 namespace {
@@ -106,14 +108,51 @@ void add_ideal_gas(std::vector<Entry<MaterialSpec>>& entries) {
                                          Limits::positive(), "energy of the undisturbed gas", air);
 }
 
+// In the order of the list Eos.
+std::vector<std::string_view> law_names() {
+  return {Tait::name, WaterPolynomial::name, Jwl::name, IdealGas::name};
+}
+
+// The law of a material file, known before the file is read with this very table.
+std::string_view law_of(EmbeddedText const& material) {
+  std::string const law = toml::parse(material.text)["eos"].value_or(std::string{});
+  for (auto const name : law_names())
+    if (name == law) return name;
+  return {};
+}
+
+// A shipped material: its law and all its constants, of which the file may override some.
+Entry<MaterialSpec> use() {
+  Parameter parameter{.section = Section::material,
+                      .key = "use",
+                      .type = ValueType::choice,
+                      .preset_note = "none; eos and its constants are given instead",
+                      .meaning =
+                          "a shipped material that gives equation of state and constants; "
+                          "the other keys override single constants",
+                      .decides = "eos"};
+  for (auto const& material : material_texts()) {
+    parameter.names.push_back(material.name);
+    parameter.decided.push_back(law_of(material));
+  }
+  return {std::move(parameter),
+          [](MaterialSpec& material, Value const& value) {
+            material.eos =
+                shipped_materials()[static_cast<std::size_t>(std::get<int>(value))].spec.eos;
+          },
+          [](MaterialSpec const&) { return Value(); }};  // eos and its constants say it all
+}
+
 std::vector<Entry<MaterialSpec>> make_table() {
   std::vector<Entry<MaterialSpec>> table;
+  table.push_back(use());
   table.push_back(alternative<MaterialSpec, &MaterialSpec::eos>(
       {.section = Section::material,
        .key = "eos",
        .type = ValueType::choice,
        .presence = Presence::required,
-       .names = {Tait::name, WaterPolynomial::name, Jwl::name, IdealGas::name},
+       .preset_note = "none; must be given where use is not",
+       .names = law_names(),
        .meaning = "equation of state"}));
   add_tait(table);
   add_water(table);

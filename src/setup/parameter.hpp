@@ -56,13 +56,16 @@ struct SectionInfo {
   std::string_view key;  // empty for the top level
   Repeat repeat;
   std::string_view meaning;
+  bool needed = false;  // a case has at least one
 };
 
 inline constexpr std::array<SectionInfo, section_count> section_table{{
     {Section::top, "", Repeat::once, "the case itself"},
-    {Section::material, "material", Repeat::named, "a material: equation of state and constants"},
+    {Section::material, "material", Repeat::named, "a material: equation of state and constants",
+     true},
     {Section::region, "region", Repeat::list,
-     "particles of one material on the lattice points of a shape; later regions replace earlier"},
+     "particles of one material on the lattice points of a shape; later regions replace earlier",
+     true},
     {Section::wall, "wall", Repeat::list, "a fixed rigid wall: the faces of a box"},
     {Section::gauge, "gauge", Repeat::list, "something measured during the run"},
     {Section::stage, "stage", Repeat::list, "a part of the run; stages follow each other"},
@@ -91,6 +94,10 @@ struct Parameter {
   std::string_view when_value{};
   std::string_view meaning{};  // one line
   std::string_view source{};   // of the default or of the constant; may be empty
+  // A choice that decides another choice `decides` too: to `decided[i]` where names[i] is given.
+  // That other key is then refused, and the keys that depend on it may be left out.
+  std::string_view decides{};
+  std::vector<std::string_view> decided{};
 };
 
 /// Names of axes and sides in the order of their indices: axis, 2 axis + (0 minus | 1 plus).

@@ -64,6 +64,11 @@ std::optional<Value> TableReader::read(Parameter const& parameter, int dimension
   } else if (toml::node const* node = find(table_, parameter.key)) {
     std::string const key = prefix_ + std::string(parameter.key);
     source_.remember(key, stretch_of(node->source()));
+    if (auto const by = decided_.find(parameter.key); by != decided_.end()) {
+      source_.report_value(key, fmt::format("is given together with {}", by->second),
+                           "leave out one of the two");
+      return std::nullopt;
+    }
     value = read_value(*node, parameter, dimension, key, source_);
   } else {
     value = absent(parameter);
@@ -71,7 +76,18 @@ std::optional<Value> TableReader::read(Parameter const& parameter, int dimension
   bool const choice = parameter.type == ValueType::choice || parameter.type == ValueType::shape_key;
   if (choice && value)
     chosen_[parameter.key] = parameter.names[static_cast<std::size_t>(std::get<int>(*value))];
+  if (!parameter.decides.empty()) decide(parameter, value);
   return value;
+}
+
+void TableReader::decide(Parameter const& parameter, std::optional<Value> const& value) {
+  if (find(table_, parameter.key) == nullptr) {
+    instead_[parameter.decides] = parameter.key;
+    return;
+  }
+  decided_[parameter.decides] = parameter.key;
+  if (value)
+    chosen_[parameter.decides] = parameter.decided[static_cast<std::size_t>(std::get<int>(*value))];
 }
 
 std::optional<Value> TableReader::read_shape_key(Parameter const& parameter) {
@@ -94,6 +110,8 @@ std::optional<Value> TableReader::read_shape_key(Parameter const& parameter) {
 }
 
 std::optional<Value> TableReader::absent(Parameter const& parameter) {
+  if (decided_.contains(parameter.key) || decided_.contains(parameter.when_key))
+    return std::nullopt;
   std::string_view const parent_key = parent_of(parameter.key);
   toml::node const* parent = parent_key.empty() ? &table_ : find(table_, parent_key);
   bool const not_a_table = parent != nullptr && !parent->is_table();  // reported by check_keys
@@ -103,8 +121,10 @@ std::optional<Value> TableReader::absent(Parameter const& parameter) {
     Stretch const place = parent != nullptr && parent->source().begin ? stretch_of(parent->source())
                                                                       : stretch_of(table_.source());
     bool const nowhere = parent == nullptr || (parent == &table_ && prefix_.empty());
+    auto const other = instead_.find(parameter.key);
     source_.report_key(prefix_ + std::string(parameter.key), nowhere ? Stretch{} : place,
-                       fmt::format("is missing: {}", parameter.meaning));
+                       fmt::format("is missing: {}", parameter.meaning),
+                       other == instead_.end() ? "" : fmt::format("or give {}", other->second));
   }
   if (needed || std::holds_alternative<std::monostate>(parameter.preset)) return std::nullopt;
   return parameter.preset;

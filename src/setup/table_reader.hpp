@@ -36,6 +36,7 @@ class TableReader {
   // Applies, or might do so: its choice is missing or wrong, then every alternative passes.
   bool is_possible(Parameter const& parameter) const;
   std::optional<Value> read_shape_key(Parameter const& parameter);
+  void decide(Parameter const& parameter, std::optional<Value> const& value);
   std::optional<Value> absent(Parameter const& parameter);
   void check_keys_in(toml::table const& table, std::string const& path,
                      std::vector<Parameter const*> const& parameters,
@@ -47,7 +48,9 @@ class TableReader {
   toml::table const& table_;
   std::string prefix_;
   Source& source_;
-  std::map<std::string_view, std::string_view> chosen_;  // choice key -> name
+  std::map<std::string_view, std::string_view> chosen_;   // choice key -> name
+  std::map<std::string_view, std::string_view> decided_;  // choice key -> the key that decided it
+  std::map<std::string_view, std::string_view> instead_;  // choice key -> a key that could have
 };
 
 /// Reads all entries of a table into `target` and reports unknown keys. `dimension` is read anew

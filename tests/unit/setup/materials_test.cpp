@@ -1,0 +1,142 @@
+// The shipped materials: their data, what their equations of state answer, and how cases use them.
+#include "setup/materials.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "setup/parameter_table.hpp"
+#include "setup/read_case.hpp"
+#include "setup/used_case.hpp"
+#include "unit/output/scratch_folder.hpp"
+
+namespace moraine {
+namespace {
+
+struct Detonation {
+  double velocity;  // m/s
+  double pressure;  // Pa
+};
+
+/// The Chapman-Jouguet state: on the Crussard curve of the products, e = e_0 + p (v_0 - v) / 2, the
+/// point of the slowest Rayleigh line, D^2 = v_0^2 p / (v_0 - v); Fickett & Davis, Detonation
+/// (1979), chapter 2. v = 1 / rho; dp/de at constant v is omega rho.
+Detonation chapman_jouguet(Jwl const& law) {
+  double const v0 = 1.0 / law.reference_density;
+  auto const pressure = [&](double v) {
+    double const at_rest = law.pressure(1.0 / v, law.reference_energy);
+    return at_rest / (1.0 - law.omega * (v0 - v) / (2.0 * v));
+  };
+  auto const square = [&](double v) { return v0 * v0 * pressure(v) / (v0 - v); };
+  double low = 0.55 * v0;
+  double high = 0.9 * v0;
+  for (int k = 0; k < 100; ++k) {  // ternary search for the least
+    double const a = low + (high - low) / 3.0;
+    double const b = high - (high - low) / 3.0;
+    (square(a) < square(b) ? high : low) = square(a) < square(b) ? b : a;
+  }
+  return {std::sqrt(square(low)), pressure(low)};
+}
+
+double answer(ShippedMaterial const& material, std::string const& key) {
+  Eos const& eos = material.spec.eos;
+  double const rho = reference_density(eos);
+  double const e = reference_energy(eos);
+  if (key == "pressure") return std::visit([&](auto const& l) { return l.pressure(rho, e); }, eos);
+  if (key == "sound_speed")
+    return std::visit([&](auto const& l) { return l.sound_speed(rho, e); }, eos);
+  Detonation const found = chapman_jouguet(std::get<Jwl>(eos));
+  return key == "detonation_velocity" ? found.velocity : found.pressure;
+}
+
+TEST(Materials, GiveTheirReferenceState) {
+  for (auto const& material : shipped_materials()) {
+    EXPECT_GE(material.references.size(), 2u) << material.spec.name;
+    for (auto const& reference : material.references) {
+      double const found = answer(material, reference.key);
+      EXPECT_NEAR(found, reference.value, reference.tolerance * std::abs(reference.value))
+          << material.spec.name << ' ' << reference.key;
+    }
+  }
+}
+
+TEST(Materials, HaveASourceForEveryValue) {
+  ASSERT_FALSE(shipped_materials().empty());
+  for (auto const& material : shipped_materials()) {
+    EXPECT_FALSE(material.meaning.empty());
+    for (auto const& value : material.values) EXPECT_FALSE(value.source.empty()) << value.key;
+    for (auto const& reference : material.references) EXPECT_FALSE(reference.source.empty());
+  }
+}
+
+// What a law starts from in the program and in cases that name only `eos` is the shipped material.
+TEST(Materials, AgreeWithTheDefaultsOfTheLaws) {
+  auto const constants = [](Eos const& eos) {
+    std::vector<double> values;
+    MaterialSpec const spec{"", eos};
+    for (auto const& entry : material_entries())
+      if (auto const value = entry.get(spec); std::holds_alternative<double>(value))
+        values.push_back(std::get<double>(value));
+    return values;
+  };
+  EXPECT_EQ(constants(shipped_material("tnt").spec.eos), constants(Jwl{}));
+  EXPECT_EQ(constants(shipped_material("water_shock").spec.eos), constants(WaterPolynomial{}));
+  EXPECT_EQ(constants(shipped_material("water").spec.eos), constants(Tait{}));
+  EXPECT_EQ(constants(shipped_material("air").spec.eos), constants(IdealGas{}));
+}
+
+std::string case_with(std::string const& material) {
+  return "space.dimension = 2\nresolution.spacing = 0.1\ntime.end = 1\n[material.m]\n" + material +
+         "\n[[region]]\nname = \"r\"\nmaterial = \"m\"\nbox = { min = [0, 0], max = [1, 1] }\n";
+}
+
+TEST(Materials, AreUsedAndOverridden) {
+  Case const c = parse_case(case_with("use = \"c4\"\nreference_energy = \"5 MJ/kg\""), "case.toml");
+  auto const& law = std::get<Jwl>(c.materials[0].eos);
+  EXPECT_EQ(law.reference_density, 1601.0);
+  EXPECT_EQ(law.r2, 1.4);
+  EXPECT_EQ(law.reference_energy, 5e6);
+  EXPECT_EQ(c.materials[0].name, "m");
+  // The used case says it all by itself.
+  std::string const used = used_case(c);
+  EXPECT_EQ(used.find("use ="), std::string::npos);
+  auto const again = std::get<Jwl>(parse_case(used, "used").materials[0].eos);
+  EXPECT_EQ(again.reference_energy, 5e6);
+  EXPECT_EQ(again.a, law.a);
+}
+
+TEST(Materials, MistakesOfTheirFilesAreTold) {
+  EXPECT_EQ(message_of<InputErrors>([] {
+              parse_material(
+                  "meaning = \"x\"\neos = \"ideal_gas\"\ncolour = 1\n"
+                  "[reference_density]\nvalue = \"1 kg/m^2\"\nsource = \"s\"\n"
+                  "[heat_capacity_ratio]\nvalue = 1.4\n"
+                  "[reference_energy]\nvalue = 2\nsource = \"s\"\n"
+                  "[reference.pressure]\nvalue = \"1 Pa\"\nsource = \"s\"\n",
+                  "x");
+            }),
+            "materials/x.toml:3:1: colour: is an unknown key\n"
+            "materials/x.toml:5:9: reference_density.value: \"1 kg/m^2\" has another dimension; a "
+            "density is expected (kg/m^3)\n"
+            "materials/x.toml:7:1: heat_capacity_ratio.source: is missing: a text\n"
+            "materials/x.toml:10:9: reference_energy.value: 2 needs a unit\n"
+            "materials/x.toml:12:1: reference.pressure.tolerance: is missing: a positive number");
+}
+
+TEST(Materials, UnknownNamesGetTheNearest) {
+  EXPECT_EQ(message_of<InputErrors>([] { shipped_material("tnd"); }),
+            "moraine materials: \"tnd\" is no shipped material; did you mean \"tnt\"?");
+}
+
+TEST(Materials, AreDescribedWithSources) {
+  std::string const text = describe(shipped_material("tnt"));
+  EXPECT_NE(text.find("1630 kg/m^3"), std::string::npos);
+  EXPECT_NE(text.find("UCRL-52997"), std::string::npos);
+  std::string const list = list_materials();
+  for (auto const& material : shipped_materials())
+    EXPECT_NE(list.find(material.spec.name), std::string::npos);
+}
+
+}  // namespace
+}  // namespace moraine
