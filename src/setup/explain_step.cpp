@@ -1,0 +1,105 @@
+#include "setup/explain_step.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "setup/geometry.hpp"
+#include "setup/parameter.hpp"
+#include "step/simulation.hpp"
+
+namespace moraine {
+namespace {
+
+std::string_view kernel_words(KernelName kernel) {
+  return kernel == KernelName::cubic_spline ? "cubic spline" : "Wendland C2";
+}
+
+std::string time_step_words(Case const& c) {
+  if (c.time.fixed_step > 0.0) return fmt::format("fixed at {:.4g} s", c.time.fixed_step);
+  std::string text = fmt::format(
+      "{:.3g} h / (c + 0.6 (alpha c + beta |mu|)), {:.3g} sqrt(h / |a|), h / (2 |v|) with h = "
+      "{:.4g} m; the last ends at {:.4g} s",
+      c.time.courant, c.time.courant, c.numerics.smoothing_length(), c.time.end);
+  if (std::isfinite(c.time.max_step)) text += fmt::format("; at most {:.4g} s", c.time.max_step);
+  return text;
+}
+
+std::string search_words(Case const& c) {
+  std::string text = fmt::format("neighbours within 2 h = {:.4g} m and a skin",
+                                 kernel_support * c.numerics.smoothing_length());
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (c.periodic[axis]) text += fmt::format("; periodic along {}", axis_names[axis]);
+  return text;
+}
+
+std::string matter_words(Case const& c) {
+  std::string text;
+  for (auto const& material : c.materials)
+    text +=
+        fmt::format("{}{}: {}", text.empty() ? "" : ", ", material.name, eos_name(material.eos));
+  return text;
+}
+
+std::string wall_words(Case const& c) {
+  if (c.walls.empty()) return "nothing: the case has no walls";
+  std::string text;
+  for (auto const& wall : c.walls)
+    text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", wall.name,
+                        wall.slip == Slip::free ? "free slip" : "no slip");
+  return text;
+}
+
+std::string pair_words(Case const& c) {
+  auto const& numerics = c.numerics;
+  std::string text = fmt::format(
+      "kernel {}, {} precision: density rate ({} form), pressure with compatible energy",
+      kernel_words(numerics.kernel), numerics.precision == Precision::mixed ? "mixed" : "double",
+      numerics.continuity == ContinuityForm::mass ? "mass" : "volume");
+  if (numerics.viscosity_alpha > 0.0 || numerics.viscosity_beta > 0.0)
+    text += fmt::format(", artificial viscosity (alpha {}, beta {})", numerics.viscosity_alpha,
+                        numerics.viscosity_beta);
+  if (numerics.density_diffusion > 0.0)
+    text += fmt::format(", density diffusion ({})", numerics.density_diffusion);
+  return text;
+}
+
+std::string kick_words(Case const& c) {
+  if (length(c.gravity) == 0.0) return "no gravity";
+  std::string text = "gravity (";
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(c.dimension); ++axis)
+    text += fmt::format("{}{:.4g}", axis == 0 ? "" : ", ", c.gravity[axis]);
+  return text + ") m/s^2";
+}
+
+struct Words {
+  std::string_view label;
+  std::string (*text)(Case const&);
+};
+
+// By label of the action; an action without an entry is told by its description alone.
+constexpr std::array<Words, 6> case_words{{
+    {"time step", time_step_words},
+    {"search", search_words},
+    {"matter", matter_words},
+    {"walls", wall_words},
+    {"pairs", pair_words},
+    {"kick and check", kick_words},
+}};
+
+}  // namespace
+
+std::string explain_step(Case const& c) {
+  std::string text = fmt::format("a time step of {}\n", c.title.empty() ? c.file : c.title);
+  int number = 0;
+  for (auto const& [label, description] : Simulation::actions()) {
+    text += fmt::format("{}. {}: {}\n", ++number, label, description);
+    for (auto const& words : case_words)
+      if (words.label == label) text += fmt::format("   {}\n", words.text(c));
+  }
+  return text;
+}
+
+}  // namespace moraine
