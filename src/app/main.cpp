@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/case_commands.hpp"
 #include "app/commands.hpp"
 #include "base/input_error.hpp"
 #include "output/output_error.hpp"
@@ -21,6 +22,7 @@ struct Options {
   moraine::PlotOptions plot;
   moraine::BenchOptions bench;
   moraine::VerifyOptions verify;
+  moraine::CaseCommandOptions cases;
 };
 
 void add_run(CLI::App& app, Options& options) {
@@ -88,6 +90,7 @@ void check_command(CLI::App const& app, int argc, char** argv) {
 }
 
 int dispatch(CLI::App const& app, Options const& options) {
+  if (auto const code = moraine::run_case_command(app, options.cases)) return *code;
   if (app.got_subcommand("run")) return moraine::run_case(options.run);
   if (app.got_subcommand("resume")) return moraine::resume_run(options.resume);
   if (app.got_subcommand("bench")) return moraine::run_bench(options.bench);
@@ -109,6 +112,7 @@ int main(int argc, char** argv) {
   add_plot(app, options);
   add_bench(app, options);
   add_verify(app, options);
+  moraine::add_case_commands(app, options.cases);
   try {
     check_command(app, argc, argv);
     app.parse(argc, argv);
