@@ -64,6 +64,11 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.3g} h", seconds / 3600.0);
 }
 
+// Names of files need not be UTF-8.
+std::string dumped(nlohmann::ordered_json const& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 nlohmann::ordered_json problem_json(InputProblem const& problem) {
   return {{"file", problem.file},
           {"line", problem.line},
@@ -121,13 +126,13 @@ std::string to_json(CaseReport const& report) {
   json["estimated_wall_time_s"] = report.wall_time();
   auto& warnings = json["warnings"] = nlohmann::ordered_json::array();
   for (auto const& warning : report.warnings) warnings.push_back(problem_json(warning));
-  return json.dump(2);
+  return dumped(json);
 }
 
 std::string mistakes_to_json(InputErrors const& errors) {
   nlohmann::ordered_json json{{"mistakes", nlohmann::ordered_json::array()}};
   for (auto const& problem : errors.problems()) json["mistakes"].push_back(problem_json(problem));
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return dumped(json);
 }
 
 }  // namespace moraine

@@ -83,7 +83,6 @@ std::string explained(Parameter const& parameter) {
 
 std::string key_list(std::string_view table) {
   std::string text;
-  std::string last;
   for (auto const* parameter : all_parameters()) {
     std::string const key = short_key(*parameter);
     if (!table.empty() && !key.starts_with(std::string(table) + '.')) continue;
@@ -108,6 +107,10 @@ std::string all_tables() {
 [[noreturn]] void refuse(std::string_view key) {
   std::vector<std::string> known;
   for (auto const* parameter : all_parameters()) known.push_back(short_key(*parameter));
+  std::size_t const keys = known.size();
+  for (std::size_t i = 0; i < keys; ++i)  // and the tables that hold them
+    if (auto const dot = known[i].find('.'); dot != std::string::npos)
+      known.push_back(known[i].substr(0, dot));
   std::vector<std::string_view> names(known.begin(), known.end());
   std::string const normal = normal_key(key);
   std::string hint;

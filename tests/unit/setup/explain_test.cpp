@@ -68,6 +68,9 @@ TEST(Explain, NamesTheNearestKey) {
   EXPECT_EQ(message_of<InputErrors>([] { explain("courant"); }),
             "moraine explain: \"courant\" is no key of a case file; did you mean "
             "\"time.courant\"?");
+  EXPECT_EQ(message_of<InputErrors>([] { explain("resolutoin"); }),
+            "moraine explain: \"resolutoin\" is no key of a case file; did you mean "
+            "\"resolution\"?");
   EXPECT_EQ(message_of<InputErrors>([] { explain("colour.of.paint"); }),
             "moraine explain: \"colour.of.paint\" is no key of a case file; moraine explain lists "
             "all keys");
