@@ -25,6 +25,7 @@ constexpr std::array<QuantityInfo, quantity_count> quantities{{
     {Quantity::specific_energy, "a specific energy", "J/kg", {"J/kg", "kJ/kg", "MJ/kg", "J/g"}},
     {Quantity::mass, "a mass", "kg", {"kg", "g", "t"}},
     {Quantity::angle, "an angle", "rad", {"rad", "deg"}},
+    {Quantity::angular_velocity, "an angular velocity", "rad/s", {"rad/s", "deg/s", "rpm"}},
 }};
 
 static_assert(

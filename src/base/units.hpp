@@ -21,8 +21,9 @@ enum class Quantity : std::uint8_t {
   specific_energy,
   mass,
   angle,
+  angular_velocity,
 };
-inline constexpr std::size_t quantity_count = 10;
+inline constexpr std::size_t quantity_count = 11;
 
 /// What messages and the reference page say about a quantity.
 struct QuantityInfo {

@@ -11,47 +11,35 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "base/input_error.hpp"
 #include "matter/eos/eos.hpp"
-#include "setup/stage_spec.hpp"
 #include "setup/probe_spec.hpp"
+#include "setup/shape/shape.hpp"
+#include "setup/stage_spec.hpp"
 #include "step/settings.hpp"
 
 namespace moraine {
 
-using Point = std::array<double, 3>;  // m
-
-/// Axis-aligned box between two corners (an interval in 1D, a rectangle in 2D).
-struct Box {
-  Point min{};
-  Point max{};
-};
-
-/// Disc in 2D, ball in 3D, interval in 1D.
-struct Disc {
+/// Rigid rotation about an axis through a point: v = rate unit(axis) x (x - center).
+struct Rotation {
+  std::optional<double> rate;  // rad/s
   Point center{};
-  double radius = 0.0;  // m
+  Point axis{0.0, 0.0, 1.0};  // of any length but zero; always z in 2D
 };
 
-/// All points x with (x - point) . normal <= 0: the normal points out of the filled side.
-struct HalfPlane {
-  Point point{};
-  Point normal{};  // unit length after reading
-};
-
-using Shape = std::variant<Box, Disc, HalfPlane>;
-
-/// What the particles of a region start with. At most one of pressure, hydrostatic_level is given;
-/// absent values follow from the material: reference density, reference specific energy.
+/// What the particles of a region start with. At most one of pressure, hydrostatic_level,
+/// lithostatic_load is given; absent values follow from the material: reference density, reference
+/// specific energy.
 struct InitialState {
   Point velocity{};                         // m/s
   std::optional<double> density;            // kg/m^3
   std::optional<double> specific_energy;    // J/kg
   std::optional<double> pressure;           // Pa; density or energy is solved for it
   std::optional<double> hydrostatic_level;  // m, height of the free surface against gravity
+  Rotation rotation{};                      // added to the velocity
+  std::optional<double> lithostatic_load;   // Pa, on top of the weight of all that lies above
 };
 
 /// A named material: its equation of state and reference state.
@@ -60,13 +48,28 @@ struct MaterialSpec {
   Eos eos;
 };
 
-/// Particles of one material on the lattice points of a shape. A later region replaces an earlier
-/// one where they overlap.
+/// Layers of several materials from the top downwards, against gravity. There are as many
+/// thicknesses as materials, or one less: the last layer then has no lower end.
+struct Layers {
+  std::vector<std::string> materials;  // empty: no layers
+  std::vector<double> thickness;       // m
+  std::optional<double> top;           // m, height of the uppermost face; default: of the shape
+};
+
+/// Where the particles start; see setup/lattice.hpp.
+enum class LatticeName : std::uint8_t { square, hexagonal };
+
+/// Particles of one material, or of layers, on the lattice points of a shape, with others added to
+/// it and taken away from it (ShapeTree). A later region replaces an earlier one where they
+/// overlap.
 struct RegionSpec {
   std::string name;
-  std::string material;
+  std::string material;  // empty with layers
   Shape shape;
   InitialState initial;
+  std::vector<ShapeTree> plus{};
+  std::vector<ShapeTree> minus{};
+  Layers layers{};
 };
 
 enum class WallForm : std::uint8_t { container, solid };  // fluid inside the box | outside of it
@@ -120,6 +123,7 @@ struct Case {
   Box domain{};  // particles that leave it are counted and removed
   std::array<bool, 3> periodic{};
   Point gravity{};  // m/s^2
+  LatticeName lattice = LatticeName::square;
   Numerics numerics;
   TimeSpec time;
   OutputSpec output;

@@ -59,6 +59,13 @@ void add_resolution(std::vector<Entry<Case>>& table) {
        .presence = Presence::required,
        .limits = Limits::positive(),
        .meaning = "distance of neighbouring particles on the initial lattice"}));
+  table.push_back(member<Case, &Case::lattice>(
+      {.key = "resolution.lattice",
+       .type = ValueType::choice,
+       .preset = static_cast<int>(LatticeName::square),
+       .names = {"square", "hexagonal"},
+       .meaning = "arrangement of the particles at the start; in 3D cubic or face-centred cubic; a "
+                  "particle has the volume spacing^dimension in all of them"}));
   table.push_back(member<Case, numerics, &Numerics::smoothing_factor>(
       {.key = "resolution.smoothing_factor",
        .preset = 1.2,

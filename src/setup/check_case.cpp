@@ -8,8 +8,9 @@
 #include <string_view>
 
 #include "base/input_error.hpp"
-#include "setup/check_stages.hpp"
 #include "setup/check_probe.hpp"
+#include "setup/check_region.hpp"
+#include "setup/check_stages.hpp"
 #include "setup/geometry.hpp"
 #include "setup/parameter.hpp"
 
@@ -68,20 +69,9 @@ class CaseCheck {
   }
 
   void check_region(RegionSpec& region, std::string const& key) {
-    check_material(region.material, key + "material");
-    if (auto const* box = std::get_if<Box>(&region.shape)) check_box(*box, key + "box");
-    if (auto* plane = std::get_if<HalfPlane>(&region.shape))
-      check_normal(plane->normal, key + "half_plane.normal");
+    if (!region.material.empty()) check_material(region.material, key + "material");
+    check_geometry(region, key, case_, source_);
     check_state(region.initial, key);
-  }
-
-  void check_normal(Point& normal, std::string const& key) {
-    if (!source_.good(key)) return;
-    double const norm = length(normal);
-    if (norm == 0.0) return source_.report_value(key, "must not be zero");
-    // A unit vector stays as it is, to the bit: a used case must read back unchanged.
-    if (std::abs(norm - 1.0) < 1e-15) return;
-    for (double& component : normal) component /= norm;
   }
 
   void check_state(InitialState const& initial, std::string const& key) {
@@ -140,14 +130,10 @@ class CaseCheck {
   }
 
   void check_shape(std::size_t i) {
-    auto const& shape = case_.regions[i].shape;
+    auto const& region = case_.regions[i];
     std::string const& key = keys_.regions[i];
-    if (auto const* box = std::get_if<Box>(&shape)) check_inside(*box, key + ".box");
-    auto const* disc = std::get_if<Disc>(&shape);
-    if (disc == nullptr || !source_.good(key + ".disc.center")) return;
-    if (!source_.good(key + ".disc.radius")) return;
-    if (!is_inside(*bounding_box(shape, case_.dimension), case_.domain, case_.dimension))
-      source_.report_value(key + ".disc.center", "puts the disc partly outside the domain");
+    if (auto const* box = std::get_if<Box>(&region.shape)) check_inside(*box, key + ".box");
+    check_reach(region, key + '.', case_, source_);
   }
 
   void check_inside(Box const& box, std::string const& key) {
@@ -168,9 +154,9 @@ class CaseCheck {
     }
   }
 
-  // The lattice of particles must continue across the seam.
+  // The lattice of particles must continue across the seam; a hexagonal one is fitted to it.
   void check_periodic(bool given) {
-    if (!source_.good("resolution.spacing")) return;
+    if (!source_.good("resolution.spacing") || case_.lattice == LatticeName::hexagonal) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!case_.periodic[axis]) continue;
       double const extent = case_.domain.max[axis] - case_.domain.min[axis];

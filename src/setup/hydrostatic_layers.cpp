@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <map>
 
+#include "setup/lattice.hpp"
+
 namespace moraine {
 namespace {
 

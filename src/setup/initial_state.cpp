@@ -50,4 +50,11 @@ std::optional<MaterialState> initial_state(Eos const& eos, InitialState const& i
                     eos);
 }
 
+Point initial_velocity(InitialState const& initial, Point const& position) {
+  Rotation const& rotation = initial.rotation;
+  if (!rotation.rate) return initial.velocity;
+  Point const turn = scale(*rotation.rate / length(rotation.axis), rotation.axis);
+  return add(initial.velocity, cross(turn, subtract(position, rotation.center)));
+}
+
 }  // namespace moraine

@@ -27,4 +27,7 @@ double hydrostatic_pressure(double reference_density, double level, Point const&
 std::optional<MaterialState> initial_state(Eos const& eos, InitialState const& initial,
                                            Point const& position, Point const& gravity);
 
+/// Velocity at a place: v + rate unit(axis) x (x - center) [m/s].
+Point initial_velocity(InitialState const& initial, Point const& position);
+
 }  // namespace moraine

@@ -3,6 +3,8 @@
 
 #include "setup/parameter_table.hpp"
 #include "setup/probe_table.hpp"
+#include "setup/region_table.hpp"
+#include "setup/shape_table.hpp"
 
 namespace moraine {
 namespace {
@@ -22,46 +24,6 @@ Parameter length_vector(Section section, std::string_view key, std::string_view 
           .quantity = Quantity::length,
           .presence = Presence::required,
           .meaning = meaning};
-}
-
-Parameter shape_vector(std::string_view key, std::string_view shape, std::string_view meaning) {
-  Parameter parameter = length_vector(Section::region, key, meaning);
-  parameter.when_key = "shape";
-  parameter.when_value = shape;
-  return parameter;
-}
-
-template <class Form, auto Member>
-Entry<RegionSpec> shape_member(Parameter parameter) {
-  return member_of<RegionSpec, &RegionSpec::shape, Form, Member>(std::move(parameter));
-}
-
-void add_shapes(std::vector<Entry<RegionSpec>>& table) {
-  table.push_back(
-      alternative<RegionSpec, &RegionSpec::shape>({.section = Section::region,
-                                                   .key = "shape",
-                                                   .type = ValueType::shape_key,
-                                                   .presence = Presence::required,
-                                                   .names = {"box", "disc", "half_plane"},
-                                                   .meaning = "the shape that is filled"}));
-  table.push_back(shape_member<Box, &Box::min>(shape_vector("box.min", "box", "lower corner")));
-  table.push_back(shape_member<Box, &Box::max>(shape_vector("box.max", "box", "upper corner")));
-  table.push_back(shape_member<Disc, &Disc::center>(
-      shape_vector("disc.center", "disc", "centre of the disc, of the ball in 3D")));
-  table.push_back(shape_member<Disc, &Disc::radius>({.section = Section::region,
-                                                     .key = "disc.radius",
-                                                     .quantity = Quantity::length,
-                                                     .presence = Presence::required,
-                                                     .limits = Limits::positive(),
-                                                     .when_key = "shape",
-                                                     .when_value = "disc",
-                                                     .meaning = "radius"}));
-  table.push_back(shape_member<HalfPlane, &HalfPlane::point>(
-      shape_vector("half_plane.point", "half_plane", "a point of the bounding plane")));
-  Parameter normal = shape_vector("half_plane.normal", "half_plane",
-                                  "normal of the plane out of the filled side, of any length");
-  normal.quantity = Quantity::number;
-  table.push_back(shape_member<HalfPlane, &HalfPlane::normal>(std::move(normal)));
 }
 
 void add_initial_state(std::vector<Entry<RegionSpec>>& table) {
@@ -107,10 +69,12 @@ std::vector<Entry<RegionSpec>> make_region_table() {
   table.push_back(member<RegionSpec, &RegionSpec::material>({.section = Section::region,
                                                              .key = "material",
                                                              .type = ValueType::text,
-                                                             .presence = Presence::required,
+                                                             .preset_note = "given by layers",
                                                              .meaning = "name of a material"}));
-  add_shapes(table);
+  add_shape_entries(table, Section::region);
+  add_layer_entries(table);
   add_initial_state(table);
+  add_start_entries(table);
   return table;
 }
 

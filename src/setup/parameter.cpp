@@ -58,7 +58,14 @@ struct ToToml {
     return list_text(std::span(value).first(static_cast<std::size_t>(dimension)), real_text);
   }
   std::string operator()(std::vector<double> const& value) const {
-    return list_text(value, real_text);
+    if (parameter.type != ValueType::corners) return list_text(value, real_text);
+    std::vector<std::array<double, 2>> corners;
+    for (std::size_t i = 0; i + 1 < value.size(); i += 2)
+      corners.push_back({value[i], value[i + 1]});
+    return list_text(corners, [](auto const& corner) { return list_text(corner, real_text); });
+  }
+  std::string operator()(std::vector<std::string> const& value) const {
+    return list_text(value, [](std::string const& text) { return quoted(text); });
   }
   std::string operator()(std::vector<int> const& value) const {
     return list_text(value, [this](int index) { return quoted(name_of(index, parameter)); });

@@ -25,13 +25,17 @@ enum class ValueType : std::uint8_t {
   axes,       // a list of axis names; those of the case's dimension are valid
   side,       // one of the side names, "x-" ... "z+"
   sides,      // a list of side names
+  texts,      // a list of texts, none of them empty
+  corners,    // a list of pairs of such numbers, whatever the dimension
+  shapes,     // a list of tables, each with the keys of shape_entries(); read and written apart
   shape_key,  // not a key itself: exactly one of the keys `names` must be present in the table
 };
 
 /// A value while it travels between file and Case: nothing, number, integer or index into the
-/// names, text, three components, list, list of indices. Always in SI.
+/// names, text, three components, list (of corners: x, y, x, y ...), list of indices, list of
+/// texts. Always in SI.
 using Value = std::variant<std::monostate, double, int, std::string, std::array<double, 3>,
-                           std::vector<double>, std::vector<int>>;
+                           std::vector<double>, std::vector<int>, std::vector<std::string>>;
 
 /// Valid range of a number or of every component. NaN is never valid; infinity only on request.
 struct Limits {

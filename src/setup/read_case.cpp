@@ -11,12 +11,14 @@
 #include <set>
 #include <string>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "base/input_error.hpp"
 #include "setup/check_case.hpp"
 #include "setup/parameter_table.hpp"
+#include "setup/shape_table.hpp"
 #include "setup/table_reader.hpp"
 #include "setup/toml.hpp"
 #include "setup/value_reader.hpp"
@@ -115,8 +117,10 @@ class CaseReader {
       std::string const name = (*table)["name"].value_or(std::string{});
       if (!name.empty() && names.insert(name).second) full = fmt::format("{}.{}", section, name);
       source_.remember(full, stretch_of(table->source()));
-      read_table(TableReader(*table, full + '.', source_), entries, specs.emplace_back(),
-                 case_.dimension);
+      Spec& spec = specs.emplace_back();
+      read_table(TableReader(*table, full + '.', source_), entries, spec, case_.dimension);
+      if constexpr (std::is_same_v<Spec, RegionSpec>)
+        read_shape_lists(*table, full + '.', spec, case_.dimension, source_);
       keys.push_back(full);
     }
     return keys;

@@ -62,9 +62,7 @@ void Source::report_value(std::string const& key, Stretch place, std::string rul
 }
 
 void Source::report_value(std::string const& key, std::string rule, std::string hint) {
-  auto const found = places_.find(key);
-  report_value(key, found != places_.end() ? found->second : Stretch{}, std::move(rule),
-               std::move(hint));
+  report_value(key, place_of(key), std::move(rule), std::move(hint));
 }
 
 void Source::report_key(std::string const& key, Stretch place, std::string rule, std::string hint) {

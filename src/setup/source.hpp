@@ -31,6 +31,12 @@ class Source {
   /// Notes that `key` has its value at this place.
   void remember(std::string const& key, Stretch place) { places_[key] = place; }
 
+  /// Where the value of a key stands; nowhere if it was not remembered.
+  Stretch place_of(std::string const& key) const {
+    auto const found = places_.find(key);
+    return found != places_.end() ? found->second : Stretch{};
+  }
+
   /// All remembered keys; the text is left out where it is a whole table.
   std::map<std::string, Place> places() const;
 

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <string_view>
+#include <type_traits>
 
 #include "setup/parameter_table.hpp"
+#include "setup/shape_table.hpp"
 
 namespace moraine {
 namespace {
@@ -48,8 +50,10 @@ template <class Spec>
 std::string list_text(std::string_view section, std::span<Entry<Spec> const> entries,
                       std::vector<Spec> const& specs, int dimension) {
   std::string text;
-  for (auto const& spec : specs)
+  for (auto const& spec : specs) {
     text += fmt::format("\n[[{}]]\n{}", section, table_text(entries, spec, dimension));
+    if constexpr (std::is_same_v<Spec, RegionSpec>) text += shape_lists_text(spec, dimension);
+  }
   return text;
 }
 

@@ -78,6 +78,13 @@ class ValueReader {
       case ValueType::axes:
       case ValueType::sides:
         return as_value(list_of_names(node));
+      case ValueType::texts:
+        return as_value(texts(node));
+      case ValueType::corners:
+        return as_value(corners(node));
+      case ValueType::shapes:
+        if (!node.is_array()) wrong_kind(node, "a list of shapes, [{ ... }, ...],");
+        break;
       case ValueType::shape_key:
         break;
     }
@@ -159,6 +166,31 @@ class ValueReader {
     if (!value) return wrong_kind(node, "a text");
     if (value->empty()) return wrong(node, "must not be empty");
     return value;
+  }
+
+  std::optional<std::vector<std::string>> texts(toml::node const& node) {
+    auto const* list = node.as_array();
+    if (list == nullptr) return wrong_kind(node, "a list of texts");
+    std::vector<std::string> values;
+    for (auto const& item : *list)
+      if (auto value = text(item)) values.push_back(*std::move(value));
+    if (values.size() != list->size()) return std::nullopt;
+    return values;
+  }
+
+  std::optional<std::vector<double>> corners(toml::node const& node) {
+    auto const* list = node.as_array();
+    if (list == nullptr) return wrong_kind(node, "a list of corners, [[x, y], ...],");
+    std::vector<double> values;
+    for (auto const& item : *list) {
+      auto const* pair = item.as_array();
+      if (pair == nullptr || pair->size() != 2)
+        return wrong(item, "is no corner; two numbers, [x, y], are expected");
+      auto const corner = reals(item);
+      if (corner) values.insert(values.end(), corner->begin(), corner->end());
+    }
+    if (values.size() != 2 * list->size()) return std::nullopt;
+    return values;
   }
 
   std::span<std::string_view const> names() const {
