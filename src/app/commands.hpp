@@ -31,6 +31,12 @@ struct ResumeOptions {
 };
 int resume_run(ResumeOptions const& options);
 
+struct PreviewOptions {
+  std::string case_file;
+  std::string output;
+};
+int preview_case(PreviewOptions const& options);
+
 struct PlotOptions {
   std::string folder;
   std::string field = "pressure";

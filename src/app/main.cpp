@@ -19,6 +19,7 @@ namespace {
 struct Options {
   moraine::RunOptions run;
   moraine::ResumeOptions resume;
+  moraine::PreviewOptions preview;
   moraine::PlotOptions plot;
   moraine::BenchOptions bench;
   moraine::VerifyOptions verify;
@@ -41,6 +42,14 @@ void add_resume(CLI::App& app, Options& options) {
   command->add_option("folder", options.resume.folder, "folder of a run")->required();
   command->add_option("--threads,-t", options.resume.threads, "number of threads (default: all)")
       ->check(CLI::Range(0, 1024));
+}
+
+void add_preview(CLI::App& app, Options& options) {
+  auto* command = app.add_subcommand(
+      "preview", "show the particles, walls and gauges of a case, without a run");
+  command->add_option("case", options.preview.case_file, "case file (TOML)")->required();
+  command->add_option("--output,-o", options.preview.output,
+                      "folder for pictures (default: out/<name of the case>-preview)");
 }
 
 void add_plot(CLI::App& app, Options& options) {
@@ -93,6 +102,7 @@ int dispatch(CLI::App const& app, Options const& options) {
   if (auto const code = moraine::run_case_command(app, options.cases)) return *code;
   if (app.got_subcommand("run")) return moraine::run_case(options.run);
   if (app.got_subcommand("resume")) return moraine::resume_run(options.resume);
+  if (app.got_subcommand("preview")) return moraine::preview_case(options.preview);
   if (app.got_subcommand("bench")) return moraine::run_bench(options.bench);
   if (app.got_subcommand("verify")) return moraine::run_verify(options.verify);
   return moraine::plot_folder(options.plot);
@@ -109,6 +119,7 @@ int main(int argc, char** argv) {
   Options options;
   add_run(app, options);
   add_resume(app, options);
+  add_preview(app, options);
   add_plot(app, options);
   add_bench(app, options);
   add_verify(app, options);

@@ -58,7 +58,8 @@ void add_resolution(std::vector<Entry<Case>>& table) {
        .quantity = Quantity::length,
        .presence = Presence::required,
        .limits = Limits::positive(),
-       .meaning = "distance of neighbouring particles on the initial lattice"}));
+       .meaning = "distance of neighbouring particles on the initial lattice; their volume is "
+                  "spacing^dimension"}));
   table.push_back(member<Case, &Case::lattice>(
       {.key = "resolution.lattice",
        .type = ValueType::choice,

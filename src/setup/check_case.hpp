@@ -17,7 +17,7 @@ struct ItemKeys {
   std::vector<std::string> stages;
 };
 
-/// Finds the domain if the file gives none, makes normals unit vectors, and reports
+/// Finds the domain if the file gives none, completes shapes (check_region.hpp), and reports
 /// contradictions: names used twice or unknown, empty boxes, a state given twice over,
 /// hydrostatic_level without gravity, parts outside the domain, a periodic domain that is no whole
 /// number of spacings. Values with a reported mistake are left out.

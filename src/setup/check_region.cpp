@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "setup/check_shape.hpp"
@@ -111,15 +111,22 @@ class RegionCheck {
   Source& source_;
 };
 
-template <class Tree>
-void check_reach_of(Tree const& tree, std::string const& key, Case const& c, Source& source) {
-  std::string const place = place_key(tree.shape, key);
-  auto const box = source.good(place) ? bounding_box(tree.shape, c.dimension) : std::nullopt;
-  if (!std::holds_alternative<Box>(tree.shape) && box && !is_inside(*box, c.domain, c.dimension))
+void check_reach_of(Shape const& shape, std::string const& key, Case const& c, Source& source) {
+  std::string const place = place_key(shape, key);
+  if (!source.good(place) || !is_complete(shape, c.dimension)) return;
+  auto const box = bounding_box(shape, c.dimension);
+  if (box && !is_inside(*box, c.domain, c.dimension))
     source.report_value(place,
-                        fmt::format("puts the {} partly outside the domain", word_for(tree.shape)));
-  for (std::size_t i = 0; i < tree.plus.size(); ++i)
-    check_reach_of(tree.plus[i], fmt::format("{}plus[{}].", key, i + 1), c, source);
+                        fmt::format("puts the {} partly outside the domain", word_for(shape)));
+}
+
+template <class Tree>
+void check_reach_of_plus(Tree const& tree, std::string const& key, Case const& c, Source& source) {
+  for (std::size_t i = 0; i < tree.plus.size(); ++i) {
+    std::string const part = fmt::format("{}plus[{}].", key, i + 1);
+    check_reach_of(tree.plus[i].shape, part, c, source);
+    check_reach_of_plus(tree.plus[i], part, c, source);
+  }
 }
 
 }  // namespace
@@ -130,7 +137,9 @@ void check_geometry(RegionSpec& region, std::string const& key, Case const& c, S
 }
 
 void check_reach(RegionSpec const& region, std::string const& key, Case const& c, Source& source) {
-  check_reach_of(region, key, c, source);
+  // The two corners of a region's own box have messages of their own.
+  if (!std::holds_alternative<Box>(region.shape)) check_reach_of(region.shape, key, c, source);
+  check_reach_of_plus(region, key, c, source);
 }
 
 }  // namespace moraine

@@ -16,7 +16,7 @@ namespace moraine {
 /// left out.
 void check_geometry(RegionSpec& region, std::string const& key, Case const& c, Source& source);
 
-/// Reports shapes of a region that reach beyond the domain, boxes apart.
+/// Reports shapes of a region that reach beyond the domain, apart from the region's own box.
 void check_reach(RegionSpec const& region, std::string const& key, Case const& c, Source& source);
 
 }  // namespace moraine

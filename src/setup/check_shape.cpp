@@ -5,8 +5,13 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
+#include <string_view>
+#include <system_error>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "base/units.hpp"
 #include "setup/geometry.hpp"
@@ -145,6 +150,13 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, std::variant
 
 bool check_shape(Shape& shape, std::string const& key, Case const& c, Source& source) {
   return std::visit(ShapeCheck(key, c, source), shape);
+}
+
+bool is_complete(Shape const& shape, int dimension) {
+  if (auto const* polygon = std::get_if<Polygon>(&shape))
+    return polygon->size() > 0 && (dimension < 3 || (polygon->from && polygon->to));
+  if (auto const* stl = std::get_if<StlBody>(&shape)) return stl->body != nullptr;
+  return true;
 }
 
 std::string place_key(Shape const& shape, std::string const& key) {

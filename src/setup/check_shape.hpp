@@ -13,6 +13,9 @@ namespace moraine {
 /// mistake has been reported.
 bool check_shape(Shape& shape, std::string const& key, Case const& c, Source& source);
 
+/// Whether a shape holds all that its bounds need; one with a mistake may not.
+bool is_complete(Shape const& shape, int dimension);
+
 /// The full key that says where a shape lies: "region.charge.disc.center".
 std::string place_key(Shape const& shape, std::string const& key);
 

@@ -187,9 +187,11 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"[[gauge]]", "[[gauge]]\nname = \"probe\"\nposition = [0, 0]\n[[gauge]]",
             "case.toml:24:8: gauge[2].name: \"probe\" is used twice"},
         Bad{"box = {", "disc = { center = [0, 0], radius = 1 }\nbox = {",
-            "case.toml:13:1: region.pool: has 2 of box, disc or half_plane; only one is possible"},
+            "case.toml:13:1: region.pool: has 2 of box, disc, half_plane, "
+            "cylinder, polygon or stl; only one is possible"},
         Bad{"box = { min = [0, 0], max = [1, 1] }", "",
-            "case.toml:13:1: region.pool: needs one of box, disc or half_plane"},
+            "case.toml:13:1: region.pool: needs one of box, disc, half_plane, cylinder, "
+            "polygon or stl"},
         Bad{"box = { min = [0, 0], max = [1, 1] }", "box = 3",
             "case.toml:16:7: region.pool.box: 3 must be a table"},
         Bad{"box = { min = [0, 0], max = [1, 1] }", "box = { min = [0, 1], max = [1, 1] }",
