@@ -37,9 +37,13 @@ int resume_run(ResumeOptions const& options) {
   if (options.threads > 0) omp_set_num_threads(options.threads);
   int const threads = omp_get_max_threads();
   auto const checkpoint = newest_checkpoint(options.folder);
+  if (has_ended(checkpoint)) {
+    fmt::print("{} has reached its end: there is nothing left to do\n", options.folder);
+    return ExitCode::done;
+  }
   RestoredRun restored = restore_run(checkpoint, options.folder, threads);
   // What is newer is damaged or unfinished, and must not be taken for newer than what comes.
-  Checkpoints(options.folder).forget(checkpoint);
+  Checkpoints(options.folder).forget_newer(checkpoint);
   std::error_code ignored;
   std::filesystem::remove(std::filesystem::path(options.folder) / "stop", ignored);
   Run const run{restored.c, *restored.simulation, *restored.recorder, options.folder};

@@ -92,6 +92,9 @@ void say_end(Run const& run, Timers const& saving, std::string const& reason, do
   if (simulation.lost().count > 0)
     fmt::print("{} particles left the domain and were removed ({:.4g} kg, {:.4g} J)\n",
                simulation.lost().count, simulation.lost().mass, simulation.lost().energy);
+  if (!simulation.running() && simulation.stages_to_come() > 0)
+    fmt::print("{} stages never began: the condition of the one before did not come true\n",
+               simulation.stages_to_come());
   for (std::string const& remark : run.recorder.remarks()) fmt::print("{}\n", remark);
   std::string const folder = run.folder.string();
   fmt::print(
@@ -134,10 +137,7 @@ bool advance(Run const& run, Saver& saver, Progress& progress) {
   StopFile stop_file(run.folder / "stop");
   std::size_t announced = run.simulation.stage_events().size();
   while (run.simulation.running()) {
-    if (stop_requested != 0 || stop_file.found()) {
-      saver.save();
-      return true;
-    }
+    if (stop_requested != 0 || stop_file.found()) return true;
     run.simulation.advance();
     run.recorder.tell(run.simulation);
     announced = say_stages(run.simulation, announced, progress);
@@ -173,6 +173,7 @@ int run_to_end(Run const& run) {
   try {
     saver.save();
     bool const stopped = advance(run, saver, progress);
+    saver.save();
     progress.finish();
     std::string const reason = stopped ? "interrupted" : "end time reached";
     run.recorder.finish(run.simulation, reason, seconds_since(start));

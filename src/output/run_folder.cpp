@@ -36,7 +36,7 @@ void make_run_folder(std::filesystem::path const& folder) {
     throw OutputError(
         fmt::format("cannot make the folder '{}': {}", folder.string(), error.message()));
   drop_frames(folder, 0);
-  Checkpoints(folder).forget(std::nullopt);
+  Checkpoints(folder).forget();
   std::filesystem::remove(folder / "stop");
 }
 

@@ -127,8 +127,10 @@ GridShape Search::shape_around(Kind kind, double reach) const {
   }
   // A hair larger than the fraction of the radius, so that rounding never costs a further cell.
   double const edge = 1.00001 * reach / cells_per_radius + 8.0;
-  std::size_t const all = points(Kind::fluid).owned + points(Kind::wall).owned;
-  return GridShape::over(low, high, settings_.dimension, edge, 4 * all + 4096);
+  // A function of this kind alone: a restored run sorts its walls when the fluid is known already,
+  // and must come to the same cells.
+  std::size_t const most_cells = 8 * points(kind).owned + (std::size_t{1} << 18);
+  return GridShape::over(low, high, settings_.dimension, edge, most_cells);
 }
 
 /// The order of a kind's particles by cells and ids; makes the grid.
@@ -232,13 +234,23 @@ void Search::exchange(Archive& archive, ParticleStore& store) {
     fluid.x[axis] = std::move(units);
   }
   if (!archive.restoring()) return;
-  sort_walls(store);
-  auto const order = cell_order(store, Kind::fluid, reach());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    if (order[k] != k) throw std::runtime_error("the particles are not in the order of the search");
+  walls_sorted_ = true;
+  points(Kind::wall) = {};
+  if (store.range(Kind::wall).size() > 0) {
+    read_units(store, Kind::wall);
+    expect_order(store, Kind::wall, wall_reach_);
+  }
+  expect_order(store, Kind::fluid, reach());
   make_lists(store);
   read_units(store, Kind::fluid);
   displacement_.largest(fluid.spans());
+}
+
+/// Makes the grid of points that are in cell order already.
+void Search::expect_order(ParticleStore const& store, Kind kind, double reach) {
+  auto const order = cell_order(store, kind, reach);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    if (order[k] != k) throw std::runtime_error("the particles are not in the order of the search");
 }
 
 template <int D>

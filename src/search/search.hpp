@@ -102,6 +102,7 @@ class Search {
   GridShape shape_around(Kind kind, double reach) const;
   std::span<std::uint32_t const> cell_order(ParticleStore const& store, Kind kind, double reach);
   void sort(ParticleStore& store, Kind kind, double reach);
+  void expect_order(ParticleStore const& store, Kind kind, double reach);
   void sort_walls(ParticleStore& store);
   void mix_images(ParticleStore const& store, Kind kind);
   void choose_skins();

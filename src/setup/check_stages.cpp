@@ -36,6 +36,9 @@ class StageCheck {
       if (gauge.kind == GaugeKind::point) points.push_back(gauge);
     check_name("until.gauge", until.gauge, points, "is not a point gauge of this case");
     bool const ends = until.after || until.rms_speed_below || !until.gauge.empty();
+    if (last && ends)
+      source_.report_key(key_ + "until", {}, "has no effect: no stage follows",
+                         "leave it out; the last stage goes on to time.end");
     if (!last && !ends)
       source_.report_key(key_ + "until", {}, "is missing: a stage that others follow must end",
                          "give until.after, until.rms_speed_below or until.gauge");

@@ -65,6 +65,16 @@ Json value_schema(Parameter const& parameter) {
       return name_schema(side_names);
     case ValueType::sides:
       return list_of(name_schema(side_names));
+    case ValueType::texts:
+      return list_of(Json{{"type", "string"}, {"minLength", 1}});
+    case ValueType::corners: {
+      Json corner = list_of(number_schema(parameter));
+      corner["minItems"] = 2;
+      corner["maxItems"] = 2;
+      return list_of(std::move(corner));
+    }
+    case ValueType::shapes:
+      return list_of(Json{{"type", "object"}});
     case ValueType::shape_key:
       break;
   }
@@ -85,7 +95,8 @@ Json described(Parameter const& parameter) {
   if (parameter.type != ValueType::vector)
     if (Json preset = json_of(to_toml(parameter.preset, parameter, 3)); !preset.is_null())
       schema["default"] = std::move(preset);
-  schema["examples"] = Json::array({json_of(example_value(parameter))});
+  if (Json example = json_of(example_value(parameter)); !example.is_null())
+    schema["examples"] = Json::array({std::move(example)});
   return schema;
 }
 

@@ -113,6 +113,12 @@ std::string range_text(Parameter const& parameter) {
       return "one of " + quoted_list(side_names) + ", as far as the dimension goes";
     case ValueType::sides:
       return "a list of " + quoted_list(side_names) + ", as far as the dimension goes";
+    case ValueType::texts:
+      return "a list of texts that are not empty";
+    case ValueType::corners:
+      return "a list of pairs, each " + number_range(parameter);
+    case ValueType::shapes:
+      return "a list of tables, each with the keys of one shape";
     case ValueType::shape_key:
       return "exactly one of the keys " + quoted_list(parameter.names);
   }
@@ -142,6 +148,14 @@ std::string example_value(Parameter const& parameter) {
       return "\"x+\"";
     case ValueType::sides:
       return "[\"y+\"]";
+    case ValueType::texts:
+      return "[\"sand\", \"clay\"]";
+    case ValueType::corners: {
+      std::string const number = example_real(parameter);
+      return fmt::format("[[0, 0], [{0}, 0], [0, {0}]]", number);
+    }
+    case ValueType::shapes:
+      return "[{ disc = { center = [0, 0], radius = 1 } }]";
     case ValueType::shape_key:
       break;
   }

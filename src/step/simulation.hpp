@@ -81,6 +81,7 @@ class Simulation {
   LostThroughSides const& lost_through() const { return lost_; }
   /// The stages that have begun so far.
   std::vector<StageEvent> const& stage_events() const { return stages_.events(); }
+  std::size_t stages_to_come() const { return stages_.to_come(); }
   ConservedSums sums() const;
   Timers const& timers() const { return timers_; }
 

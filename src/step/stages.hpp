@@ -76,6 +76,9 @@ class Stages {
   void begin_next(double time, std::uint64_t step, std::string cause);
 
   std::vector<StageEvent> const& events() const { return events_; }
+
+  /// How many stages have not begun yet.
+  std::size_t to_come() const { return stages_.empty() ? 0 : stages_.size() - 1 - index_; }
   void exchange(Archive& archive);
 
  private:

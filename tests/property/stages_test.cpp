@@ -201,6 +201,7 @@ TEST(Stages, MistakesAreNamed) {
   expect("[[stage]]\nname = \"a\"\nremove_wall = \"gte\"\n", "did you mean \"gate\"");
   expect("[[stage]]\nname = \"a\"\ndetonate = \"column\"\n", "needs into beside it");
   expect("[[stage]]\nname = \"a\"\nuntil.rms_speed_below = 1.0\n", "needs until.steady_for");
+  expect("[[stage]]\nname = \"a\"\nuntil.after = 1.0\n", "has no effect: no stage follows");
   expect("[[stage]]\nname = \"a\"\n[[stage]]\nname = \"b\"\n", "that others follow must end");
   expect("[[stage]]\nname = \"a\"\nuntil = { gauge = \"beyond\" }\n", "needs until.pressure_above");
   expect("[[stage]]\nname = \"a\"\ndamping_time = \"5 m\"\n", "a time is expected");

@@ -62,13 +62,15 @@ std::optional<std::filesystem::path> Checkpoints::newest(std::vector<std::string
   return std::nullopt;
 }
 
-void Checkpoints::forget(std::optional<std::filesystem::path> const& except) const {
+void Checkpoints::forget() const { forget_newer(folder_); }
+
+void Checkpoints::forget_newer(std::filesystem::path const& last) const {
   std::vector<std::filesystem::path> old;
   std::error_code none;
   for (auto const& entry : std::filesystem::directory_iterator(folder_, none))
-    if (is_ours(entry.path().filename().string()) && entry.path() != except)
+    if (is_ours(entry.path().filename().string()) && entry.path() > last)
       old.push_back(entry.path());
-  for (auto const& file : old) std::filesystem::remove(file);
+  for (auto const& file : old) std::filesystem::remove(file, none);
 }
 
 }  // namespace moraine

@@ -30,8 +30,11 @@ class Checkpoints {
   /// added to `skipped`.
   std::optional<std::filesystem::path> newest(std::vector<std::string>& skipped) const;
 
-  /// Removes all states, also unfinished ones, except this one; all without one.
-  void forget(std::optional<std::filesystem::path> const& except) const;
+  /// Removes all states, also unfinished ones.
+  void forget() const;
+
+  /// Removes the states after this one, also unfinished ones.
+  void forget_newer(std::filesystem::path const& last) const;
 
  private:
   std::vector<std::filesystem::path> files() const;  // newest first

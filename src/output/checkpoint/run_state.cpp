@@ -13,7 +13,7 @@ namespace moraine {
 namespace {
 
 // Counts up with every change of what is saved, or of what it means for the steps that follow.
-constexpr std::uint64_t layout = 1;
+constexpr std::uint64_t layout = 2;
 
 void exchange_layout(Archive& archive) {
   std::uint64_t found = layout;
@@ -35,6 +35,19 @@ void save_run(Archive& archive, Case const& c, Simulation& simulation, RunRecord
   RecorderState state = recorder.state();
   state.exchange(archive);
   recorder.exchange_probes(archive);
+}
+
+bool has_ended(std::filesystem::path const& checkpoint) {
+  bool ended = false;
+  restore_hdf5(checkpoint, [&](Archive& archive) {
+    exchange_layout(archive);
+    std::string text;
+    archive.text("case", text);
+    double time = 0.0;
+    archive.number("time", time);
+    ended = time >= parse_case(text, "case.used.toml").time.end;
+  });
+  return ended;
 }
 
 RestoredRun restore_run(std::filesystem::path const& checkpoint,

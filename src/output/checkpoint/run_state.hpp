@@ -14,6 +14,10 @@ namespace moraine {
 /// Saves case, simulation and recorder: all that is needed to go on.
 void save_run(Archive& archive, Case const& c, Simulation& simulation, RunRecorder& recorder);
 
+/// Whether the run saved in a checkpoint file had nothing left to compute. Throws
+/// std::runtime_error like restore_run.
+bool has_ended(std::filesystem::path const& checkpoint);
+
 /// A run as it was when it was saved.
 struct RestoredRun {
   Case c;

@@ -59,12 +59,12 @@ std::vector<CheckResult> check_hydrostatic_pressure(Effort effort) {
   if (effort == Effort::quick) tank.time.end *= 0.25;
   Simulation simulation(build_model(tank));
   ParticleStore const& store = simulation.particles();
-  std::size_t const count = store.range(Kind::fluid).size();
   double fastest = 0.0;
   WorstError worst;
   int sampled = 0;
   while (simulation.running()) {
     simulation.advance();
+    std::size_t const count = store.range(Kind::fluid).size();
     for (std::size_t i = 0; i < count; ++i)
       fastest = std::max(fastest, std::hypot(store.component(Field::velocity, 0)[i],
                                              store.component(Field::velocity, 1)[i]));

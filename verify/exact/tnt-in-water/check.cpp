@@ -200,7 +200,7 @@ std::vector<CheckResult> check_tnt_in_water(Effort effort) {
           at_most("tnt-in-water: symmetry", asymmetry(store, count) / blast.numerics.spacing, 1e-6,
                   "spacings", "largest difference from an image in the axes or the diagonal"),
           at_most("tnt-in-water: momentum",
-                  std::hypot(momentum[0], momentum[1]) / sum_of_momenta(store), 1e-6, "-",
+                  std::hypot(momentum[0], momentum[1]) / sum_of_momenta(store), 1e-12, "-",
                   "of the fluid / sum of m |v|"),
           compare("tnt-in-water: particles", static_cast<double>(store.range(Kind::fluid).size()),
                   static_cast<double>(count), 0.0, "-", "none leaves the box"),

@@ -142,17 +142,22 @@ TEST_F(CheckpointsTest, ShowAnyChangedByte) {
   EXPECT_NE(broken_seal(file), "");
 }
 
-TEST_F(CheckpointsTest, ForgetAllButOne) {
+TEST_F(CheckpointsTest, ForgetWhatIsNewer) {
   State state = some_state();
   Checkpoints checkpoints(path(""));
   checkpoints.save(1, of(state));
   checkpoints.save(2, of(state));
+  write(file_of(3), "damaged");
   write(path("checkpoints/step_000000000003.h5.tmp"), "unfinished");
   write(path("checkpoints/notes.txt"), "mine");
-  checkpoints.forget(file_of(1));
+  checkpoints.forget_newer(file_of(2));
   EXPECT_TRUE(std::filesystem::exists(file_of(1)));
-  EXPECT_FALSE(std::filesystem::exists(file_of(2)));
+  EXPECT_TRUE(std::filesystem::exists(file_of(2)));
+  EXPECT_FALSE(std::filesystem::exists(file_of(3)));
   EXPECT_FALSE(std::filesystem::exists(path("checkpoints/step_000000000003.h5.tmp")));
+  EXPECT_TRUE(std::filesystem::exists(path("checkpoints/notes.txt")));
+  checkpoints.forget();
+  EXPECT_FALSE(std::filesystem::exists(file_of(1)));
   EXPECT_TRUE(std::filesystem::exists(path("checkpoints/notes.txt")));
 }
 
