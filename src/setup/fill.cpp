@@ -124,15 +124,12 @@ class Filler {
       count.stateless = owner.material;
       return;
     }
-    bool const layered = in_layers(owner);
-    if (layered) layered_.push_back(seeds_.size());
-    double const lattice_density =
-        layered ? reference_density(case_.materials[owner.material].eos) : state->density;
+    if (in_layers(owner)) layered_.push_back(seeds_.size());
     seeds_.push_back({.position = point,
                       .velocity = initial_velocity(initial, point),
                       .density = state->density,
                       .specific_energy = state->specific_energy,
-                      .mass = lattice_density * lattice_.volume,
+                      .mass = state->density * lattice_.volume,
                       .material = owner.material,
                       .region = owner.region});
   }

@@ -26,9 +26,14 @@ std::optional<Vertical> vertical_of(Point const& gravity);
 ///   dz_k = m_k / (rho_k dx^(d-1)),   z_k = z_bottom + sum_(l<k) dz_l + dz_k / 2
 ///
 /// Particles whose densities belong to p_k = rho_0 |g| (level - z0_k), z0_k the height on the even
-/// lattice, and whose masses are rho_0 dx^d are then in equilibrium: from layer to layer the
-/// pressure grows by the weight of a layer, |g| rho_0 dx per area. The layers are counted in
-/// unbroken columns from below; the lower face of the lowest stays where it is.
+/// lattice, and whose masses are set to rho_0 dx^d are then in equilibrium: from layer to layer the
+/// pressure grows by the weight of a layer, |g| rho_0 dx per area. The lower face of the lowest
+/// layer stays where it is.
+///
+/// That holds for columns that reach unbroken from one level floor to the free surface. Where a
+/// body in the water, a step of the floor or a lid stands in the way, columns would sink by
+/// different amounts and leave gaps; then nothing is changed, and particles keep their places and
+/// the masses of their densities.
 ///
 /// `seeds` are in the order of fill_regions; `layered` names those that take part, ascending.
 void compress_layers(std::vector<Seed>& seeds, std::span<std::size_t const> layered, Case const& c,

@@ -162,6 +162,9 @@ class TableSchema {
       if (parameter->when_key.empty()) require(table, *parameter);
     }
     for (auto const* choice : parameters_) add_conditions(table, *choice);
+    for (auto const* parameter : parameters_)
+      if (!parameter->unless_key.empty())
+        table["anyOf"] = Json::array({has_key(parameter->key), has_key(parameter->unless_key)});
     return table;
   }
 

@@ -70,6 +70,7 @@ std::vector<Entry<RegionSpec>> make_region_table() {
                                                              .key = "material",
                                                              .type = ValueType::text,
                                                              .preset_note = "given by layers",
+                                                             .unless_key = "layers.materials",
                                                              .meaning = "name of a material"}));
   add_shape_entries(table, Section::region);
   add_layer_entries(table);

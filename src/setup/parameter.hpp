@@ -96,6 +96,8 @@ struct Parameter {
   // The key exists only where the choice or shape key `when_key` has the value `when_value`.
   std::string_view when_key{};
   std::string_view when_value{};
+  // Must be given where this other key of the table is not; a check of its own says so.
+  std::string_view unless_key{};
   std::string_view meaning{};  // one line
   std::string_view source{};   // of the default or of the constant; may be empty
   // A choice that decides another choice `decides` too: to `decided[i]` where names[i] is given.

@@ -42,7 +42,8 @@ TEST(ShippedCases, NameTheSchema) {
 TEST(Explain, TellsAllOfAKey) {
   EXPECT_EQ(explain("resolution.spacing"),
             "resolution.spacing\n"
-            "  distance of neighbouring particles on the initial lattice\n"
+            "  distance of neighbouring particles on the initial lattice; their volume is "
+            "spacing^dimension\n"
             "  unit     m (also \"cm\", \"mm\", \"km\")\n"
             "  default  none, must be given\n"
             "  range    greater than 0 m\n"
@@ -80,7 +81,8 @@ TEST(Explain, NamesTheNearestKey) {
 TEST(Explain, EveryExampleIsValid) {
   for (auto const* parameter : all_parameters()) {
     std::string const example = example_value(*parameter);
-    if (example.empty()) continue;
+    // Lists of shapes are read by the reader of whole regions.
+    if (example.empty() || parameter->type == ValueType::shapes) continue;
     std::string const text = "value = " + example;
     Source source(text, "example");
     auto const table = toml::parse(text);

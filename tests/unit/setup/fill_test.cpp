@@ -155,14 +155,23 @@ TEST(Fill, HydrostaticLayersCarryTheWeightAboveThem) {
   EXPECT_LT(face, 1.5 - 0.004);  // 1 m shrinks by g H^2 / (2 c^2) = 5.5 mm
 }
 
-TEST(Fill, HydrostaticLayersStandOnWhatIsBelow) {
-  Case c = still_water();
-  c.walls = {{"step", WallForm::solid, {{0.0, 0, 0}, {0.5, 0.3, 0}}, {}, Slip::free}};
-  double const density = std::get<Tait>(c.materials[0].eos).density_at_pressure(9810 * 0.65, 0);
-  for (auto const& seed : fill_regions(c)) {
-    if (seed.position[0] > 0.5) continue;
-    EXPECT_GT(seed.position[1], 0.3 + 0.05 * 1000.0 / density - 1e-14);
+// Columns above a step, below a lid or around a body would sink by different amounts.
+TEST(Fill, HydrostaticLatticeStaysEvenWhereColumnsDoNotStandFree) {
+  WallSpec const step{"step", WallForm::solid, {{0.0, 0, 0}, {0.5, 0.3, 0}}, {}, Slip::free};
+  WallSpec const body{"body", WallForm::solid, {{0.2, 0.4, 0}, {0.5, 0.7, 0}}, {}, Slip::free};
+  for (WallSpec const& wall : {step, body}) {
+    Case c = still_water();
+    c.walls.push_back(wall);
+    for (Seed const& seed : fill_regions(c)) {
+      double const row = seed.position[1] / 0.1 - 0.5;
+      EXPECT_NEAR(row, std::round(row), 1e-12) << wall.name;
+      EXPECT_DOUBLE_EQ(seed.mass, seed.density * std::pow(0.1, 2)) << wall.name;
+    }
   }
+  Case lid = still_water();
+  lid.regions[0].initial.hydrostatic_level = 2.0;
+  for (Seed const& seed : fill_regions(lid))
+    EXPECT_DOUBLE_EQ(seed.mass, seed.density * std::pow(0.1, 2)) << "under a lid";
 }
 
 TEST(Fill, HydrostaticLayersFollowGravityAlongItsAxis) {
