@@ -42,7 +42,7 @@ class Layering {
 
 // Whether all columns reach unbroken from the same layer to their free surface.
 bool stand_free(std::vector<Seed> const& seeds, std::span<std::size_t const> layered, Case const& c,
-                Vertical vertical, Layering const& layering) {
+                Layering const& layering) {
   struct Column {
     std::int64_t lowest, highest, count;
     double gap;  // m, from the highest particle to the level
@@ -51,7 +51,7 @@ bool stand_free(std::vector<Seed> const& seeds, std::span<std::size_t const> lay
   for (std::size_t const k : layered) {
     Seed const& seed = seeds[k];
     auto const [place, layer] = layering.place_of(seed);
-    double const level = vertical.up * *c.regions[seed.region].initial.hydrostatic_level;
+    double const level = *c.regions[seed.region].initial.hydrostatic_level;
     double const gap = level - layering.height(seed);
     auto const [found, fresh] = columns.try_emplace(place, Column{layer, layer, 0, gap});
     Column& column = found->second;
@@ -85,7 +85,7 @@ std::optional<Vertical> vertical_of(Point const& gravity) {
 void compress_layers(std::vector<Seed>& seeds, std::span<std::size_t const> layered, Case const& c,
                      Vertical vertical) {
   Layering const layering(c, vertical);
-  if (layered.empty() || !stand_free(seeds, layered, c, vertical, layering)) return;
+  if (layered.empty() || !stand_free(seeds, layered, c, layering)) return;
   double const spacing = c.numerics.spacing;
   double const area = std::pow(spacing, c.dimension - 1);  // of a particle seen from above
   double const volume = std::pow(spacing, c.dimension);
