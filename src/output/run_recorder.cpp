@@ -138,6 +138,7 @@ void RunRecorder::sync() {
   for (TableCsv const* table : {&gauges_, &sums_}) sync_to_disk(table->path());
   for (; synced_frames_ < frames_.entries().size(); ++synced_frames_)
     sync_to_disk(folder_ / frame_name(synced_frames_));
+  for (auto const& folder : {folder_ / "frames", folder_}) sync_to_disk(folder);
 }
 
 void RecorderState::exchange(Archive& archive) {

@@ -270,8 +270,8 @@ void Simulation::kick_and_check() {
   double const h = model_.numerics.smoothing_length();
   auto const id = store.id();
   acceleration_vote_ = {model_.time.courant * std::sqrt(h / std::sqrt(outcome.acceleration2.value)),
-                        "acceleration", id[outcome.acceleration2.particle]};
-  motion_vote_ = {longest_motion * h / std::sqrt(outcome.speed2.value), "motion",
+                        acceleration_limit, id[outcome.acceleration2.particle]};
+  motion_vote_ = {longest_motion * h / std::sqrt(outcome.speed2.value), motion_limit,
                   id[outcome.speed2.particle]};
   for (std::size_t axis = 0; axis < 3; ++axis)
     wall_impulse_[axis] += swept_.wall_force[axis] * vote_.time_step;

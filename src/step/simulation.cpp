@@ -56,6 +56,8 @@ Simulation::Simulation(Model model) : Simulation(std::move(model), Unstarted{}) 
 
 Simulation::Simulation(Model model, Archive& saved) : Simulation(std::move(model), Unstarted{}) {
   exchange(saved);
+  acceleration_vote_.reason = acceleration_limit;
+  motion_vote_.reason = motion_limit;
   sort_by_material();
   half_step_factor_ = 1.0;
 }
@@ -70,6 +72,11 @@ void Simulation::exchange(Archive& archive) {
   archive.number("time_step/acceleration_limit", acceleration_vote_.time_step);
   archive.number("time_step/motion_limit", motion_vote_.time_step);
   archive.number("time_step/signal_speed", swept_.signal_speed);
+  archive.number("time_step/acceleration_particle", acceleration_vote_.particle);
+  archive.number("time_step/motion_particle", motion_vote_.particle);
+  std::uint64_t fastest = swept_.particle;
+  archive.number("time_step/signal_particle", fastest);
+  swept_.particle = fastest;
   for (std::size_t side = 0; side < lost_.size(); ++side) {
     std::string const name = fmt::format("lost/{}{}", "xyz"[side / 2], "-+"[side % 2]);
     archive.number(name + "/count", lost_[side].count);

@@ -8,6 +8,10 @@
 
 namespace moraine {
 
+// Reasons of votes that outlive a step, and so a checkpoint.
+inline constexpr std::string_view acceleration_limit = "acceleration";
+inline constexpr std::string_view motion_limit = "motion";
+
 /// The longest step that somebody allows, why, and which particle asks for it.
 struct Vote {
   static constexpr std::uint64_t nobody = std::numeric_limits<std::uint64_t>::max();
