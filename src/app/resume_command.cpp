@@ -37,7 +37,8 @@ int resume_run(ResumeOptions const& options) {
   if (options.threads > 0) omp_set_num_threads(options.threads);
   int const threads = omp_get_max_threads();
   auto const checkpoint = newest_checkpoint(options.folder);
-  if (has_ended(checkpoint)) {
+  // Killed between its last step and its last file, a run still has to write its end.
+  if (has_ended(checkpoint) && has_written_its_end(options.folder)) {
     fmt::print("{} has reached its end: there is nothing left to do\n", options.folder);
     return ExitCode::done;
   }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <system_error>
 #include <vector>
@@ -27,6 +29,12 @@ void remove_ours(std::filesystem::path const& folder, Ours&& ours) {
 
 bool holds_a_run(std::filesystem::path const& folder) {
   return std::filesystem::exists(folder / "manifest.json");
+}
+
+bool has_written_its_end(std::filesystem::path const& folder) {
+  std::ifstream file(folder / "manifest.json");
+  auto const manifest = nlohmann::json::parse(file, nullptr, false);
+  return manifest.is_object() && manifest.value("state", "") == "ended";
 }
 
 void make_run_folder(std::filesystem::path const& folder) {

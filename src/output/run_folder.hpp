@@ -10,6 +10,10 @@ namespace moraine {
 /// True when a folder holds results of a run, finished or not.
 bool holds_a_run(std::filesystem::path const& folder);
 
+/// True when the last run in a folder wrote its end into the manifest: it was neither killed nor is
+/// it going on.
+bool has_written_its_end(std::filesystem::path const& folder);
+
 /// Makes the folder of a run, or clears it of what an earlier run wrote: frames, pictures,
 /// checkpoints, the snapshot of a breakdown, requests. Other people's files stay.
 void make_run_folder(std::filesystem::path const& folder);
