@@ -47,7 +47,7 @@ void EnergyBudget::tell(Simulation const& simulation) {
 }
 
 double EnergyBudget::error(Simulation const& simulation) const {
-  return energy_with_lost(simulation) - start_;
+  return energy_with_lost(simulation) - start_ - simulation.wall_work();
 }
 
 void EnergyBudget::exchange(Archive& archive) {

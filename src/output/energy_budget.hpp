@@ -12,8 +12,8 @@ namespace moraine {
 /// nothing leaves the domain the change of internal energy is therefore, to rounding,
 ///   compression + viscosity + wall_viscosity,
 /// in each step and for any step length. The total of kinetic, internal, potential and lost energy
-/// is conserved to second order in the time step only; `error` is what is missing. Walls at rest do
-/// no work. `diffusion` is no part of the balance: density diffusion changes densities, hence the
+/// changes by the work of moving walls, to second order in the time step only; `error` is what is
+/// missing. `diffusion` is no part of the balance: density diffusion changes densities, hence the
 /// elastic energy that the equation of state would give back, and the energy equation does not know
 /// it; see docs/probes.md.
 ///
@@ -27,7 +27,8 @@ class EnergyBudget {
   double wall_viscosity() const { return done_.wall_viscosity; }
   double compression() const { return done_.compression; }
   double diffusion() const { return done_.diffusion; }
-  /// Kinetic + internal + potential + lost energy now, less that at the start.
+  /// Kinetic + internal + potential + lost energy now, less that at the start and the work of
+  /// walls.
   double error(Simulation const& simulation) const;
 
   void exchange(Archive& archive);

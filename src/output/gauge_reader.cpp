@@ -113,10 +113,10 @@ GaugeReader wall_reader(Case const& c, GaugeSpec const& gauge) {
       row.insert(row.end(), columns, std::numeric_limits<double>::quiet_NaN());
       return false;
     }
-    WallReading const load =
-        probe_wall({at.simulation.particles(), at.simulation.search(), model.walls, at.loads,
-                    model.gravity, model.numerics.spacing},
-                   part);
+    WallReading const load = probe_wall(
+        {at.simulation.particles(), at.simulation.search(), model.walls, at.loads, model.gravity,
+         model.numerics.spacing, model.symmetry, model.domain_min, model.domain_max},
+        part);
     row.insert(row.end(), load.force.begin(), load.force.begin() + model.dimension);
     row.insert(row.end(), load.torque.begin() + static_cast<std::ptrdiff_t>(first_torque),
                load.torque.end());
@@ -140,9 +140,12 @@ GaugeReader sums_reader(Case const& c, GaugeSpec const& gauge) {
                                                             std::vector<double>& row) {
     Model const& model = at.simulation.model();
     MaterialSums const sums = sum_material(at.simulation.particles(), material, model.gravity);
-    row.insert(row.end(), {static_cast<double>(sums.particles), sums.mass, sums.kinetic_energy,
-                           sums.internal_energy, sums.potential_energy});
-    row.insert(row.end(), sums.momentum.begin(), sums.momentum.begin() + model.dimension);
+    Symmetry const& planes = model.symmetry;
+    Vec3 const momentum = planes.whole(sums.momentum);
+    row.insert(row.end(), {static_cast<double>(sums.particles), planes.whole(sums.mass),
+                           planes.whole(sums.kinetic_energy), planes.whole(sums.internal_energy),
+                           planes.whole(sums.potential_energy)});
+    row.insert(row.end(), momentum.begin(), momentum.begin() + model.dimension);
     return sums.particles > 0;
   };
   return reader;
@@ -153,7 +156,9 @@ GaugeReader side_reader(Case const&, GaugeSpec const& gauge) {
   auto const read = [side = static_cast<std::size_t>(gauge.probe.side)](ReadingContext const& at,
                                                                         std::vector<double>& row) {
     LostParticles const& lost = at.simulation.lost_through()[side];
-    row.insert(row.end(), {static_cast<double>(lost.count), lost.mass, lost.energy});
+    Symmetry const& planes = at.simulation.model().symmetry;
+    row.insert(row.end(), {static_cast<double>(lost.count), planes.whole(lost.mass),
+                           planes.whole(lost.energy)});
     return lost.count > 0;
   };
   return {
@@ -165,9 +170,12 @@ GaugeReader side_reader(Case const&, GaugeSpec const& gauge) {
 GaugeReader budget_reader(Case const&, GaugeSpec const& gauge) {
   std::string const& name = gauge.name;
   auto const read = [](ReadingContext const& at, std::vector<double>& row) {
-    row.insert(row.end(), {at.budget.viscosity(), at.budget.wall_viscosity(),
-                           at.budget.compression(), at.budget.diffusion(),
-                           at.simulation.lost().energy, at.budget.error(at.simulation)});
+    Symmetry const& planes = at.simulation.model().symmetry;
+    for (double const amount :
+         {at.budget.viscosity(), at.budget.wall_viscosity(), at.budget.compression(),
+          at.budget.diffusion(), at.simulation.wall_work(), at.simulation.lost().energy,
+          at.budget.error(at.simulation)})
+      row.push_back(planes.whole(amount));
     return true;
   };
   return {name,
@@ -175,6 +183,7 @@ GaugeReader budget_reader(Case const&, GaugeSpec const& gauge) {
            {name + " wall_viscosity", "J"},
            {name + " compression", "J"},
            {name + " diffusion", "J"},
+           {name + " wall_work", "J"},
            {name + " lost_energy", "J"},
            {name + " energy_error", "J"}},
           read};

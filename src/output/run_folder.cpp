@@ -52,11 +52,18 @@ std::string frame_name(std::size_t number) {
   return fmt::format("frames/particles_{:06}.vtp", number);
 }
 
+std::string wall_frame_name(std::size_t number) {
+  return fmt::format("frames/walls_{:06}.vtp", number);
+}
+
 void drop_frames(std::filesystem::path const& folder, std::size_t first) {
-  static std::regex const pattern("particles_[0-9]{6,}\\.vtp");
+  static std::regex const particles("particles_[0-9]{6,}\\.vtp");
+  static std::regex const walls("walls_[0-9]{6,}\\.vtp");
   remove_ours(folder / "frames", [&](std::string const& name) {
-    return std::regex_match(name, pattern) && "frames/" + name >= frame_name(first);
+    if (std::regex_match(name, walls)) return "frames/" + name >= wall_frame_name(first);
+    return std::regex_match(name, particles) && "frames/" + name >= frame_name(first);
   });
+  if (first == 0) std::filesystem::remove(folder / "walls.pvd");
   remove_ours(folder / "plots", is_picture_of_run);
   std::filesystem::remove(folder / "unstable.vtp");
 }

@@ -18,8 +18,9 @@ bool has_written_its_end(std::filesystem::path const& folder);
 /// checkpoints, the snapshot of a breakdown, requests. Other people's files stay.
 void make_run_folder(std::filesystem::path const& folder);
 
-/// Name of a frame, relative to the folder.
+/// Name of a frame of particles, and of walls where they move, relative to the folder.
 std::string frame_name(std::size_t number);
+std::string wall_frame_name(std::size_t number);
 
 /// Removes the frames from this number on, and the pictures and the snapshot that were made of
 /// them.

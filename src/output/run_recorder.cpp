@@ -25,15 +25,17 @@ std::vector<TableColumn> sums_columns() {
           {"wall_impulse_x", "N s"},
           {"wall_impulse_y", "N s"},
           {"wall_impulse_z", "N s"},
+          {"wall_work", "J"},
           {"mass", "kg"},
           {"particles", ""},
           {"lost_particles", ""},
           {"time_step", "s"}};
 }
 
-std::vector<PvdEntry> frames_at(std::vector<double> const& times) {
+template <class Name>
+std::vector<PvdEntry> frames_at(std::vector<double> const& times, Name&& name) {
   std::vector<PvdEntry> frames;
-  for (double const time : times) frames.push_back({time, frame_name(frames.size())});
+  for (double const time : times) frames.push_back({time, name(frames.size())});
   return frames;
 }
 
@@ -61,6 +63,7 @@ RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::files
     : case_(c),
       folder_(std::move(folder)),
       frames_(folder_ / "particles.pvd"),
+      wall_frames_(folder_ / "walls.pvd"),
       probes_(c),
       gauges_(folder_ / "gauges.csv", probes_.columns()),
       sums_(folder_ / "sums.csv", sums_columns()),
@@ -92,7 +95,8 @@ RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::files
     : case_(c),
       folder_(std::move(folder)),
       manifest_(saved.manifest),
-      frames_(folder_ / "particles.pvd", frames_at(saved.frame_times)),
+      frames_(folder_ / "particles.pvd", frames_at(saved.frame_times, frame_name)),
+      wall_frames_(folder_ / "walls.pvd", frames_at(saved.frame_times, wall_frame_name)),
       probes_(c),
       gauges_(folder_ / "gauges.csv", probes_.columns(), saved.gauges_size),
       sums_(folder_ / "sums.csv", sums_columns(), saved.sums_size),
@@ -104,6 +108,7 @@ RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::files
       last_sums_time_(saved.last_sums_time) {
   drop_frames(folder_, saved.frame_times.size());
   frames_.write();
+  if (simulation.model().walls.move()) wall_frames_.write();
   manifest_.resumed_at_steps.push_back(simulation.step());
   manifest_.stages = simulation.stage_events();
   write_start(threads);
@@ -136,8 +141,11 @@ RecorderState RunRecorder::state() const {
 
 void RunRecorder::sync() {
   for (TableCsv const* table : {&gauges_, &sums_}) sync_to_disk(table->path());
-  for (; synced_frames_ < frames_.entries().size(); ++synced_frames_)
+  for (; synced_frames_ < frames_.entries().size(); ++synced_frames_) {
     sync_to_disk(folder_ / frame_name(synced_frames_));
+    if (synced_frames_ < wall_frames_.entries().size())
+      sync_to_disk(folder_ / wall_frame_name(synced_frames_));
+  }
   for (auto const& folder : {folder_ / "frames", folder_}) sync_to_disk(folder);
 }
 
@@ -201,7 +209,13 @@ void RunRecorder::write_stages(Simulation const& simulation) {
 
 void RunRecorder::write_frame(Simulation const& simulation) {
   ScopedTimer const timing(timers_, frame_timer_);
-  std::string const name = frame_name(frames_.entries().size());
+  std::size_t const number = frames_.entries().size();
+  if (simulation.model().walls.move()) {
+    write_vtp(folder_ / wall_frame_name(number), simulation.particles(), Kind::wall,
+              simulation.time());
+    wall_frames_.add(simulation.time(), wall_frame_name(number));
+  }
+  std::string const name = frame_name(number);
   write_vtp(folder_ / name, simulation.particles(), Kind::fluid, simulation.time(),
             probes_.envelopes());
   frames_.add(simulation.time(), name);
@@ -217,18 +231,22 @@ void RunRecorder::write_sums(Simulation const& simulation) {
   ScopedTimer const timing(timers_, sums_timer_);
   last_sums_time_ = simulation.time();
   ConservedSums const s = simulation.sums();
+  Symmetry const& planes = simulation.model().symmetry;
+  Vec3 const momentum = planes.whole(s.momentum);
+  Vec3 const impulse = planes.whole(s.wall_impulse);
   std::array const row{simulation.time(),
-                       s.kinetic_energy,
-                       s.internal_energy,
-                       s.potential_energy,
-                       s.total_energy(),
-                       s.momentum[0],
-                       s.momentum[1],
-                       s.momentum[2],
-                       s.wall_impulse[0],
-                       s.wall_impulse[1],
-                       s.wall_impulse[2],
-                       s.mass,
+                       planes.whole(s.kinetic_energy),
+                       planes.whole(s.internal_energy),
+                       planes.whole(s.potential_energy),
+                       planes.whole(s.total_energy()),
+                       momentum[0],
+                       momentum[1],
+                       momentum[2],
+                       impulse[0],
+                       impulse[1],
+                       impulse[2],
+                       planes.whole(simulation.wall_work()),
+                       planes.whole(s.mass),
                        static_cast<double>(simulation.particles().range(Kind::fluid).size()),
                        static_cast<double>(simulation.lost().count),
                        simulation.time_step()};

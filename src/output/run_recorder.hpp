@@ -98,6 +98,7 @@ class RunRecorder {
   std::filesystem::path folder_;
   Manifest manifest_;
   PvdCollection frames_;
+  PvdCollection wall_frames_;  // where walls move
   ProbeRecorder probes_;
   TableCsv gauges_;
   TableCsv sums_;

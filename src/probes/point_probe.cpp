@@ -24,9 +24,9 @@ Sums combine(Sums a, Sums const& b) {
   return a;
 }
 
-/// Adds particle i, seen from x, to the sums.
+/// Adds particle i, seen from x, to the sums; sign: of its velocity along each axis.
 void include(Sums& sums, ParticleStore const& store, std::size_t i, KernelName kernel, double h,
-             std::array<double, 3> const& x) {
+             std::array<double, 3> const& x, std::array<double, 3> const& sign = {1.0, 1.0, 1.0}) {
   double distance2 = 0.0;
   for (int axis = 0; axis < store.dimension(); ++axis) {
     double const d = x[static_cast<std::size_t>(axis)] - store.component(Field::position, axis)[i];
@@ -39,9 +39,10 @@ void include(Sums& sums, ParticleStore const& store, std::size_t i, KernelName k
   sums.state.pressure += w * store.scalar(Field::pressure)[i];
   sums.state.density += w * store.scalar(Field::density)[i];
   sums.state.specific_energy += w * store.scalar(Field::specific_energy)[i];
-  for (int axis = 0; axis < store.dimension(); ++axis)
-    sums.state.velocity[static_cast<std::size_t>(axis)] +=
-        w * store.component(Field::velocity, axis)[i];
+  for (int axis = 0; axis < store.dimension(); ++axis) {
+    auto const k = static_cast<std::size_t>(axis);
+    sums.state.velocity[k] += w * sign[k] * store.component(Field::velocity, axis)[i];
+  }
 }
 
 PointState mean(Sums const& sums) {
@@ -71,8 +72,8 @@ PointState probe_point(ParticleStore const& store, Search const& search, KernelN
                        double h, std::array<double, 3> const& x) {
   Sums sums;
   search.for_each_fluid_near(x, kernel_support * h,
-                             [&](std::size_t i, std::array<double, 3> const& seen_from) {
-                               include(sums, store, i, kernel, h, seen_from);
+                             [&](std::size_t i, Search::Viewpoint const& from) {
+                               include(sums, store, i, kernel, h, from.place, from.sign);
                              });
   return mean(sums);
 }

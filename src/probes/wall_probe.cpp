@@ -8,14 +8,13 @@ namespace {
 
 /// Adds the pressure at the face in front of a wall particle of the first row.
 void add_pressure(WallSurroundings const& at, WallPoint const& point, std::size_t k,
-                  WallReading& reading) {
-  Vec3 normal{};
-  for (std::size_t axis = 0; axis < 3; ++axis) normal[axis] = point.normal[axis];
+                  Vec3 const& place, WallReading& reading) {
+  Vec3 const normal = at.walls.normal(point);
+  Vec3 const gravity = subtract(at.gravity, at.walls.acceleration(point, place));
   bool const first_row = dot(normal, normal) > 0.5 && point.depth < at.spacing;
   if (!first_row) return;
-  double const pressure = at.store.scalar(Field::pressure)[k] + at.store.scalar(Field::density)[k] *
-                                                                    point.depth *
-                                                                    dot(at.gravity, normal);
+  double const pressure = at.store.scalar(Field::pressure)[k] +
+                          at.store.scalar(Field::density)[k] * point.depth * dot(gravity, normal);
   double const area = std::pow(at.spacing, at.store.dimension() - 1);
   reading.largest_pressure =
       reading.wet_area > 0.0 ? std::max(reading.largest_pressure, pressure) : pressure;
@@ -33,16 +32,18 @@ WallReading probe_wall(WallSurroundings const& at, WallPart const& part) {
     std::size_t const k = first + wet[n];
     std::size_t const point = at.store.id()[k] - at.walls.first_id;
     if (!at.loads[n].wet || part.member[point] == 0) continue;
-    Vec3 arm{};
-    for (int axis = 0; axis < at.store.dimension(); ++axis) {
-      auto const component = static_cast<std::size_t>(axis);
-      arm[component] = at.store.component(Field::position, axis)[k] - part.about[component];
-    }
-    reading.force = add(reading.force, at.loads[n].force);
-    reading.torque = add(reading.torque, cross(arm, at.loads[n].force));
-    add_pressure(at, at.walls.points[point], k, reading);
+    Vec3 place{};
+    for (int axis = 0; axis < at.store.dimension(); ++axis)
+      place[static_cast<std::size_t>(axis)] = at.store.component(Field::position, axis)[k];
+    at.symmetry.for_each_image(
+        at.low, at.high, place, at.loads[n].force, [&](Vec3 const& where, Vec3 const& force) {
+          reading.force = add(reading.force, force);
+          reading.torque = add(reading.torque, cross(subtract(where, part.about), force));
+        });
+    add_pressure(at, at.walls.points[point], k, place, reading);
   }
   if (reading.wet_area > 0.0) reading.mean_pressure /= reading.wet_area;
+  reading.wet_area = at.symmetry.whole(reading.wet_area);
   return reading;
 }
 

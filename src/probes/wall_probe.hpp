@@ -8,6 +8,7 @@
 #include "base/vec3.hpp"
 #include "search/search.hpp"
 #include "store/particle_store.hpp"
+#include "surface/symmetry.hpp"
 #include "terms/pair_backend.hpp"
 
 namespace moraine {
@@ -36,6 +37,8 @@ struct WallReading {
 /// Pressures are those of the fluid continued to the wall (terms/wall_extrapolation.hpp), taken
 /// back from the first row of wall particles to the face, p = p_w + rho_w depth g . n; each of them
 /// stands for spacing^(d-1) of the face. They may be negative; the force has no part that pulls.
+/// Where walls move, g is less the acceleration of the wall. With symmetry planes force, torque and
+/// area are those of the whole, mirror images included.
 /// `loads` belong to search.wet_walls(). Gravity in m/s^2, spacing in m.
 struct WallSurroundings {
   ParticleStore const& store;
@@ -44,6 +47,8 @@ struct WallSurroundings {
   std::span<WallLoad const> loads;
   Vec3 gravity;
   double spacing;
+  Symmetry symmetry{};  // planes at the sides of the domain, whose corners follow
+  Vec3 low{}, high{};   // m
 };
 WallReading probe_wall(WallSurroundings const& at, WallPart const& part);
 

@@ -12,16 +12,30 @@
 #include <vector>
 
 #include "search/cell_grid.hpp"
+#include "search/cell_motion.hpp"
+#include "store/particle_store.hpp"
 
 namespace moraine {
 
+/// Positions [axis][point] in units; walls only where they move.
+struct MovingPoints {
+  UnitSpans fluid;
+  UnitSpans walls;
+};
+
 class DisplacementBound {
  public:
-  /// Takes the reference positions [axis][point], already sorted along `grid` (entry k is point k
-  /// for owned points), and where walls are. radius in units. `local` false: neighbours may lie
-  /// across a periodic side, so the bound is taken over all cells.
-  void reset(CellPoints const& fluid, CellPoints const& walls, std::size_t owned, double radius,
-             bool local, UnitSpans const& positions);
+  struct Reach {
+    double radius = 0.0;  // units, of the lists
+    // Neighbours may lie across a side that makes images, so the bound is taken over all cells.
+    bool across_sides = false;
+    std::array<bool, 3> reflects{};  // axes with a symmetry plane: images move the other way
+  };
+
+  /// Takes the reference positions, sorted along the grid of `fluid`, and where fluid and walls
+  /// are, images included.
+  void reset(CellPoints const& fluid, CellPoints const& walls, Reach const& reach,
+             MovingPoints const& positions);
 
   /// Largest possible relative displacement [units] of two neighbouring points; infinite when
   /// points of cells that do not touch may have come near each other.
@@ -29,10 +43,12 @@ class DisplacementBound {
     double fluid = 0.0;  // two fluid points
     double wall = 0.0;   // a fluid point and a wall point
   };
-  Largest largest(UnitSpans const& positions);
+  Largest largest(MovingPoints const& positions);
 
   /// Reference positions along one axis, in the order of the points.
-  std::span<Units const> reference(std::size_t axis) const { return reference_[axis]; }
+  std::span<Units const> reference(Kind kind, std::size_t axis) const {
+    return kind == Kind::fluid ? fluid_.reference(axis) : walls_.reference(axis);
+  }
 
   /// False where no wall point, or no fluid point, can be a neighbour of a point here.
   bool near_wall(UnitPoint const& x) const { return near_wall_[coarse_cell(x)] != 0; }
@@ -44,25 +60,18 @@ class DisplacementBound {
   std::size_t bytes() const;
 
  private:
-  struct Boxes {
-    std::array<std::vector<float>, 3> low, high;  // [axis][coarse cell], units
-  };
-  std::size_t coarse_cell(UnitPoint const& x) const;
-  void collect(UnitSpans const& positions);
+  std::size_t coarse_cell(UnitPoint const& x) const { return cell_of(coarse_, dimension_, x); }
+  void shape_coarse(CellGrid const& fine, double radius);
   void mark(CellPoints const& points, std::vector<std::uint8_t>& near) const;
-  void spread(int axis);
-  void spread_everywhere();
+  Largest largest_in(std::size_t cell) const;
   bool moved_far() const;
 
   int dimension_ = 3;
   double far_limit_ = 0.0;  // units, of the motion of all points together
-  bool local_ = true;
+  Reach reach_;
   GridShape coarse_;
-  std::vector<std::uint32_t> order_;  // owned points by coarse cell
-  std::vector<std::uint32_t> start_;  // [coarse cell]
-  std::array<std::vector<Units>, 3> reference_;
   std::vector<std::uint8_t> near_wall_, near_fluid_;
-  Boxes own_, around_, scratch_;
+  CellMotion fluid_, walls_;
 };
 
 }  // namespace moraine

@@ -70,7 +70,8 @@ void Search::read_units(ParticleStore const& store, Kind kind) {
 bool Search::lists_hold(ParticleStore const& store) {
   if (!walls_sorted_ || store.range(Kind::fluid).size() != fluid_fluid_.size()) return false;
   read_units(store, Kind::fluid);
-  auto const now = displacement_.largest(points(Kind::fluid).spans());
+  if (settings_.walls_move) read_units(store, Kind::wall);
+  auto const now = displacement_.largest(moving_points());
   ++steps_since_rebuild_;
   double const scale = settings_.fixed_point.scale;
   if (std::isfinite(now.fluid)) seen_ = now;
@@ -93,16 +94,31 @@ void Search::choose_skins() {
   skins_ = {skin(fluid_rate), skin(wall_rate)};
 }
 
-void Search::wrap(ParticleStore& store) const {
-  Periodicity const& sides = settings_.periodicity;
-  Range const fluid = store.range(Kind::fluid);
+MovingPoints Search::moving_points() const {
+  return {points(Kind::fluid).spans(),
+          settings_.walls_move ? points(Kind::wall).spans() : UnitSpans{}};
+}
+
+/// Where an image would be inside of the domain now, the particle changes places with it.
+void Search::bring_back(ParticleStore& store, Kind kind) const {
+  DomainSides const& sides = settings_.sides;
+  Range const range = store.range(kind);
   for (int axis = 0; axis < settings_.dimension; ++axis) {
     auto const k = static_cast<std::size_t>(axis);
-    if (!sides.periodic[k]) continue;
     auto position = store.component(Field::position, axis);
-    for (std::size_t i = fluid.begin; i < fluid.end; ++i) {
-      double const periods = std::floor((position[i] - sides.low[k]) / sides.period[k]);
-      position[i] -= periods * sides.period[k];
+    if (sides.periodic[k])
+      for (std::size_t i = range.begin; i < range.end; ++i) {
+        double const periods = std::floor((position[i] - sides.low[k]) / sides.length[k]);
+        position[i] -= periods * sides.length[k];
+      }
+    if (!sides.reflects(k) || kind == Kind::wall) continue;
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      bool const below = sides.symmetric[k][0] && position[i] < sides.low[k];
+      bool const above = sides.symmetric[k][1] && position[i] > sides.low[k] + sides.length[k];
+      if (!below && !above) continue;
+      position[i] = sides.image_place(position[i], below ? -1 : +1, k);
+      for (Field const field : {Field::velocity, Field::acceleration})
+        store.component(field, axis)[i] *= -1.0;
     }
   }
 }
@@ -118,12 +134,14 @@ GridShape Search::shape_around(Kind kind, double reach) const {
       low[axis] = std::min(low[axis], value);
       high[axis] = std::max(high[axis], value);
     }
-    Periodicity const& sides = settings_.periodicity;
-    if (!sides.periodic[axis]) continue;
     // Images lie beyond the sides, wherever the points themselves are.
-    auto const upper = static_cast<Units>(sides.low_units[axis] + sides.period_units[axis]);
-    low[axis] = std::min(low[axis], sides.low_units[axis]) - static_cast<Units>(reach);
-    high[axis] = std::max(high[axis], upper) + static_cast<Units>(reach);
+    DomainSides const& sides = settings_.sides;
+    auto const lower = sides.low_units[axis];
+    auto const upper = static_cast<Units>(lower + sides.length_units[axis]);
+    if (sides.periodic[axis] || sides.symmetric[axis][0])
+      low[axis] = std::min(low[axis], lower) - static_cast<Units>(reach);
+    if (sides.periodic[axis] || sides.symmetric[axis][1])
+      high[axis] = std::max(high[axis], upper) + static_cast<Units>(reach);
   }
   // A hair larger than the fraction of the radius, so that rounding never costs a further cell.
   double const edge = 1.00001 * reach / cells_per_radius + 8.0;
@@ -159,8 +177,8 @@ void Search::mix_images(ParticleStore const& store, Kind kind) {
   UnitSpans const owned = p.spans();
   for (std::size_t axis = 0; axis < dimension; ++axis)
     x[axis].assign(owned[axis].begin(), owned[axis].end());
-  append_images(settings_.periodicity, settings_.dimension, static_cast<std::int64_t>(reach()) + 2,
-                x, key, p.images);
+  append_images(settings_.sides, settings_.dimension, static_cast<std::int64_t>(reach()) + 2, x,
+                key, p.images);
   auto const order =
       sort_by_cells_(GridShape(p.grid.shape), settings_.dimension, {x[0], x[1], x[2]}, key, p.grid);
   p.mixed_index.assign(order.begin(), order.end());
@@ -177,8 +195,11 @@ double Search::reach() const {
 
 void Search::rebuild(ParticleStore& store) {
   if (steps_since_rebuild_ > 0) choose_skins();
-  if (settings_.periodicity.any()) wrap(store);
-  if (!walls_sorted_) {
+  if (settings_.sides.any()) {
+    bring_back(store, Kind::fluid);
+    if (settings_.walls_move) bring_back(store, Kind::wall);
+  }
+  if (!walls_sorted_ || settings_.walls_move) {
     wall_reach_ = reach();
     sort_walls(store);
   }
@@ -189,25 +210,27 @@ void Search::rebuild(ParticleStore& store) {
   ++rebuilds_;
 }
 
-/// Walls are at rest and sorted once; what that took is given back.
+/// Walls at rest are sorted once; what that took is given back.
 void Search::sort_walls(ParticleStore& store) {
   walls_sorted_ = true;
   points(Kind::wall) = {};
   if (store.range(Kind::wall).size() == 0) return;
   read_units(store, Kind::wall);
   sort(store, Kind::wall, wall_reach_);
+  if (settings_.walls_move) return;
   store.shrink();
   sort_by_cells_ = {};
 }
 
 /// Lists and their validity from points in cell order.
 void Search::make_lists(ParticleStore const& store) {
-  bool const periodic = settings_.periodicity.any();
+  DomainSides const& sides = settings_.sides;
+  bool const images = sides.any();
   for (Kind const kind : {Kind::wall, Kind::fluid})
-    if (periodic && store.range(kind).size() > 0) mix_images(store, kind);
-  Points const& fluid = points(Kind::fluid);
-  displacement_.reset(fluid.in_cells(), points(Kind::wall).in_cells(), fluid.owned, reach(),
-                      !periodic, fluid.spans());
+    if (images && store.range(kind).size() > 0) mix_images(store, kind);
+  displacement_.reset(points(Kind::fluid).in_cells(), points(Kind::wall).in_cells(),
+                      {reach(), images, {sides.reflects(0), sides.reflects(1), sides.reflects(2)}},
+                      moving_points());
   if (settings_.dimension == 1) collect_neighbours<1>();
   if (settings_.dimension == 2) collect_neighbours<2>();
   if (settings_.dimension == 3) collect_neighbours<3>();
@@ -221,29 +244,37 @@ void Search::exchange(Archive& archive, ParticleStore& store) {
   archive.number("search/wall_motion_seen", seen_.wall);
   archive.number("search/steps_since_rebuild", steps_since_rebuild_);
   archive.number("search/rebuilds", rebuilds_);
-  Points& fluid = points(Kind::fluid);
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(settings_.dimension); ++axis) {
-    auto const reference = displacement_.reference(axis);
-    std::vector<Units> units(reference.begin(), reference.end());
-    archive.array(fmt::format("search/listed_at_{}", "xyz"[axis]), "", units);
-    if (!archive.restoring()) continue;
-    if (units.size() != store.range(Kind::fluid).size())
-      throw std::runtime_error("search and particles do not belong together");
-    units.resize(units.size() + CellPoints::padding);
-    fluid.owned = store.range(Kind::fluid).size();
-    fluid.x[axis] = std::move(units);
-  }
+  if (archive.restoring()) points(Kind::wall) = {};
+  exchange_reference(archive, store, Kind::fluid);
+  if (settings_.walls_move) exchange_reference(archive, store, Kind::wall);
   if (!archive.restoring()) return;
   walls_sorted_ = true;
-  points(Kind::wall) = {};
   if (store.range(Kind::wall).size() > 0) {
-    read_units(store, Kind::wall);
+    if (!settings_.walls_move) read_units(store, Kind::wall);
     expect_order(store, Kind::wall, wall_reach_);
   }
   expect_order(store, Kind::fluid, reach());
   make_lists(store);
   read_units(store, Kind::fluid);
-  displacement_.largest(fluid.spans());
+  if (settings_.walls_move) read_units(store, Kind::wall);
+  displacement_.largest(moving_points());
+}
+
+/// Saves or restores where the points of a kind were when the lists were made.
+void Search::exchange_reference(Archive& archive, ParticleStore const& store, Kind kind) {
+  Points& p = points(kind);
+  std::string const name = kind == Kind::fluid ? "search/listed_at_" : "search/walls_listed_at_";
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(settings_.dimension); ++axis) {
+    auto const reference = displacement_.reference(kind, axis);
+    std::vector<Units> units(reference.begin(), reference.end());
+    archive.array(name + "xyz"[axis], "", units);
+    if (!archive.restoring()) continue;
+    if (units.size() != store.range(kind).size())
+      throw std::runtime_error("search and particles do not belong together");
+    units.resize(units.size() + CellPoints::padding);
+    p.owned = store.range(kind).size();
+    p.x[axis] = std::move(units);
+  }
 }
 
 /// Makes the grid of points that are in cell order already.
@@ -262,7 +293,7 @@ void Search::collect_neighbours() {
   double const wall_radius = (settings_.support + skins_.wall) / scale;
   constexpr std::uint32_t nobody = 0xFFFFFFFFu;
   constexpr std::size_t lanes = NeighbourList::lanes(D);
-  bool const unsorted = settings_.periodicity.any();  // images stand among the owned points
+  bool const unsorted = settings_.sides.any();  // images stand among the owned points
   auto const at = [](Points const& p, std::size_t i) {
     UnitPoint x{};
     for (std::size_t axis = 0; axis < D; ++axis) x[axis] = p.x[axis][i];

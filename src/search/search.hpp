@@ -11,7 +11,7 @@
 #include "search/displacement.hpp"
 #include "search/fixed_point.hpp"
 #include "search/neighbour_list.hpp"
-#include "search/periodic_images.hpp"
+#include "search/side_images.hpp"
 #include "store/particle_store.hpp"
 
 namespace moraine {
@@ -21,7 +21,8 @@ struct SearchSettings {
   int dimension = 3;
   double support = 0.0;  // m
   FixedPoint fixed_point;
-  Periodicity periodicity;
+  DomainSides sides;
+  bool walls_move = false;
 };
 
 /// How far the lists reach beyond the support [m], chosen anew at each rebuild.
@@ -44,8 +45,8 @@ class Search {
   /// fast they wear out decides about the next skins. Positions of any size are allowed.
   bool lists_hold(ParticleStore const& store);
 
-  /// Sorts the store by cells and makes the lists anew. Particles must lie inside the domain along
-  /// axes that are not periodic.
+  /// Sorts the store by cells and makes the lists anew; particles that passed a periodic side or a
+  /// symmetry plane come back in. Particles must lie inside the domain along all other sides.
   void rebuild(ParticleStore& store);
 
   /// Call when wall particles were removed: they are sorted and listed anew.
@@ -58,9 +59,15 @@ class Search {
     return true;
   }
 
-  /// Calls visit(i, seen_from) for all fluid particles that may be closer to x [m] than `reach`
-  /// [m], and for some that are not, while the lists hold: particle i, and the place to look from,
-  /// which is x moved by whole periods.
+  /// A place to look at particles from instead of looking at their images.
+  struct Viewpoint {
+    std::array<double, 3> place{};        // m
+    std::array<double, 3> sign{1, 1, 1};  // of the velocity that the image shows, along each axis
+  };
+
+  /// Calls visit(i, from) for all fluid particles that may be closer to x [m] than `reach` [m], and
+  /// for some that are not, while the lists hold: particle i, and the viewpoint, which is x moved
+  /// by whole periods and reflected at symmetry planes.
   template <class Visit>
   void for_each_fluid_near(std::array<double, 3> const& x, double reach, Visit&& visit) const;
 
@@ -85,7 +92,8 @@ class Search {
     std::size_t owned = 0;
     std::array<std::vector<Units>, 3> x;  // of the owned points, in cell order after a rebuild
     CellGrid grid;
-    // With periodic sides only: images, and owned points and images together in cell order.
+    // With periodic or symmetric sides only: images, and owned points and images together in cell
+    // order.
     std::vector<Image> images;
     std::array<std::vector<Units>, 3> mixed_x;
     std::vector<std::uint32_t> mixed_index;
@@ -97,13 +105,15 @@ class Search {
   Points& points(Kind kind) { return points_[static_cast<std::size_t>(kind)]; }
 
   void read_units(ParticleStore const& store, Kind kind);
-  void wrap(ParticleStore& store) const;
+  void bring_back(ParticleStore& store, Kind kind) const;
   double reach() const;  // units, of the lists
   GridShape shape_around(Kind kind, double reach) const;
   std::span<std::uint32_t const> cell_order(ParticleStore const& store, Kind kind, double reach);
   void sort(ParticleStore& store, Kind kind, double reach);
+  void exchange_reference(Archive& archive, ParticleStore const& store, Kind kind);
   void expect_order(ParticleStore const& store, Kind kind, double reach);
   void sort_walls(ParticleStore& store);
+  MovingPoints moving_points() const;
   void mix_images(ParticleStore const& store, Kind kind);
   void choose_skins();
   void make_lists(ParticleStore const& store);
@@ -134,26 +144,34 @@ void Search::for_each_fluid_near(std::array<double, 3> const& x, double reach,
   auto const dimension = static_cast<std::size_t>(settings_.dimension);
   Points const& fluid = points(Kind::fluid);
   auto const owned = static_cast<std::uint32_t>(fluid_fluid_.size());
-  Periodicity const& sides = settings_.periodicity;
+  DomainSides const& sides = settings_.sides;
   // The cells hold places as of the last rebuild.
   double const wide = reach + displacement_.longest_motion() * settings_.fixed_point.scale;
-  std::array<int, 3> most{};  // periods to look across, along each axis
-  for (std::size_t k = 0; k < dimension; ++k)
-    most[k] = sides.periodic[k] ? static_cast<int>(std::ceil(wide / sides.period[k])) : 0;
-  for (int pz = -most[2]; pz <= most[2]; ++pz)
-    for (int py = -most[1]; py <= most[1]; ++py)
-      for (int px = -most[0]; px <= most[0]; ++px) {
-        std::array<int, 3> const periods{px, py, pz};
-        std::array<double, 3> from = x;
+  std::array<int, 3> most{};  // images to look from, along each axis and both ways
+  for (std::size_t k = 0; k < dimension; ++k) {
+    if (sides.periodic[k]) most[k] = static_cast<int>(std::ceil(wide / sides.length[k]));
+    if (sides.reflects(k)) most[k] = 1;
+  }
+  for (int sz = -most[2]; sz <= most[2]; ++sz)
+    for (int sy = -most[1]; sy <= most[1]; ++sy)
+      for (int sx = -most[0]; sx <= most[0]; ++sx) {
+        std::array<int, 3> const shift{sx, sy, sz};
+        Viewpoint from{x};
         std::array<double, 3> low{}, high{};  // units
+        bool exists = true;
         for (std::size_t k = 0; k < dimension; ++k) {
-          from[k] += periods[k] * sides.period[k];
+          if (shift[k] != 0) from.place[k] = sides.image_place(x[k], shift[k], k);
+          if (sides.reverses(shift[k], k)) {
+            from.sign[k] = -1.0;
+            exists = exists && sides.symmetric[k][shift[k] > 0 ? 1 : 0];
+          }
           double const center = settings_.fixed_point.center[k];
-          low[k] = (from[k] - wide - center) / settings_.fixed_point.scale;
-          high[k] = (from[k] + wide - center) / settings_.fixed_point.scale;
+          low[k] = (from.place[k] - wide - center) / settings_.fixed_point.scale;
+          high[k] = (from.place[k] + wide - center) / settings_.fixed_point.scale;
         }
+        if (!exists) continue;
         fluid.in_cells().for_each_in_box(low, high, [&](std::uint32_t i) {
-          if (i < owned) visit(static_cast<std::size_t>(i), from);  // images: by the periods
+          if (i < owned) visit(static_cast<std::size_t>(i), from);  // images: by viewpoints
         });
       }
 }

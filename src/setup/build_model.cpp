@@ -10,6 +10,7 @@
 #include "base/input_error.hpp"
 #include "setup/case_size.hpp"
 #include "setup/fill.hpp"
+#include "setup/geometry.hpp"
 #include "setup/wall_parts.hpp"
 
 namespace moraine {
@@ -43,6 +44,9 @@ void add_fluid(Case const& c, Model& model, Members& members) {
 void add_walls(Case const& c, Model& model, Members& members) {
   ParticleStore& store = model.particles;
   model.walls.first_id = store.size();
+  bool const any_moves = std::any_of(c.walls.begin(), c.walls.end(), [](WallSpec const& spec) {
+    return spec.motion.motion.has_value();
+  });
   double const density = reference_density(model.materials.front().eos);
   std::uint32_t surface = 0;
   std::vector<InputProblem> problems;
@@ -54,15 +58,24 @@ void add_walls(Case const& c, Model& model, Members& members) {
     } catch (std::invalid_argument const& error) {
       problems.push_back(problem_of(c, "wall." + spec.name, error.what()));
     }
+    std::uint16_t body = WallPoint::at_rest;
+    if (spec.motion.motion) {
+      body = static_cast<std::uint16_t>(model.walls.bodies.size());
+      model.walls.bodies.push_back({*spec.motion.motion});
+    }
     for (Dummy const& dummy : dummies) {
       std::size_t const i = store.append(Kind::wall, no_material);
       ids.push_back(store.id()[i]);
       set_vector(store, Field::position, i, dummy.position);
       store.scalar(Field::density)[i] = density;
-      WallPoint point{{}, static_cast<float>(dummy.depth), spec.slip == Slip::free};
+      WallPoint point{{}, static_cast<float>(dummy.depth), spec.slip == Slip::free, body};
       for (std::size_t axis = 0; axis < 3; ++axis)
         point.normal[axis] = static_cast<float>(dummy.normal[axis]);
       model.walls.points.push_back(point);
+      if (any_moves) model.walls.start.push_back(dummy.position);
+      if (body == WallPoint::at_rest) continue;
+      MovingWall& wall = model.walls.bodies[body];
+      wall.radius = std::max(wall.radius, length(subtract(dummy.position, wall.motion.about)));
     }
     ++surface;
   }
@@ -111,12 +124,13 @@ void check_periods(Case const& c) {
   double const least = 2.0 * kernel_support * c.numerics.smoothing_length();
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(c.dimension); ++axis) {
     double const period = c.domain.max[axis] - c.domain.min[axis];
-    if (!c.periodic[axis] || period >= least) continue;
-    throw InputErrors({problem_of(
-        c, "space.periodic",
-        fmt::format("makes a period of {:.4g} m, shorter than two kernel supports, {:.4g} m",
-                    period, least),
-        "widen the domain or refine the spacing")});
+    bool const reflects = c.symmetry.planes[axis][0] || c.symmetry.planes[axis][1];
+    if (!(c.periodic[axis] || reflects) || period >= least) continue;
+    throw InputErrors(
+        {problem_of(c, reflects ? "space.symmetry" : "space.periodic",
+                    fmt::format("makes {} of {:.4g} m, shorter than two kernel supports, {:.4g} m",
+                                reflects ? "a domain" : "a period", period, least),
+                    "widen the domain or refine the spacing")});
   }
 }
 
@@ -130,6 +144,7 @@ Model build_model(Case const& c) {
   model.domain_min = c.domain.min;
   model.domain_max = c.domain.max;
   model.periodic = c.periodic;
+  model.symmetry = c.symmetry;
   model.gravity = c.gravity;
   model.numerics = c.numerics;
   model.time = c.time;

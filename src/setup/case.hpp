@@ -15,10 +15,12 @@
 
 #include "base/input_error.hpp"
 #include "matter/eos/eos.hpp"
+#include "setup/motion_spec.hpp"
 #include "setup/probe_spec.hpp"
 #include "setup/shape/shape.hpp"
 #include "setup/stage_spec.hpp"
 #include "step/settings.hpp"
+#include "surface/symmetry.hpp"
 
 namespace moraine {
 
@@ -75,13 +77,15 @@ struct RegionSpec {
 enum class WallForm : std::uint8_t { container, solid };  // fluid inside the box | outside of it
 enum class Slip : std::uint8_t { free, none };
 
-/// A fixed rigid wall: the faces of a box. `open` lists sides without a wall ("z+" = the top).
+/// A rigid wall: the faces of a box. `open` lists sides without a wall ("z+" = the top). The box is
+/// where the wall is before any motion.
 struct WallSpec {
   std::string name;
   WallForm form = WallForm::container;
   Box box;
   std::array<std::array<bool, 2>, 3> open{};  // [axis][0: minus side, 1: plus side]
   Slip slip = Slip::free;
+  MotionSpec motion{};
 };
 
 enum class GaugeKind : std::uint8_t { point, front, wall, line, level, sums, side, budget };
@@ -122,6 +126,7 @@ struct Case {
   int dimension = 2;
   Box domain{};  // particles that leave it are counted and removed
   std::array<bool, 3> periodic{};
+  Symmetry symmetry{};
   Point gravity{};  // m/s^2
   LatticeName lattice = LatticeName::square;
   Numerics numerics;

@@ -44,6 +44,12 @@ void add_space(std::vector<Entry<Case>>& table) {
                                      .type = ValueType::axes,
                                      .preset = std::vector<int>{},
                                      .meaning = "axes along which the domain repeats itself"}));
+  table.push_back(member<Case, &Case::symmetry, &Symmetry::planes>(
+      {.key = "space.symmetry",
+       .type = ValueType::sides,
+       .preset = std::vector<int>{},
+       .meaning = "sides of the domain that are symmetry planes; sums and forces on walls are told "
+                  "for the whole that they stand for"}));
   table.push_back(member<Case, &Case::gravity>(
       {.key = "physics.gravity",
        .type = ValueType::vector,

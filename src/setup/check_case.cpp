@@ -8,10 +8,12 @@
 #include <string_view>
 
 #include "base/input_error.hpp"
+#include "setup/check_motion.hpp"
 #include "setup/check_probe.hpp"
 #include "setup/check_region.hpp"
 #include "setup/check_stages.hpp"
 #include "setup/geometry.hpp"
+#include "setup/lattice.hpp"
 #include "setup/parameter.hpp"
 
 namespace moraine {
@@ -39,6 +41,7 @@ class CaseCheck {
       std::string_view const form =
           case_.walls[i].form == WallForm::container ? ".container" : ".solid";
       check_box(case_.walls[i].box, keys_.walls[i] + std::string(form));
+      check_motion(case_.walls[i].motion, keys_.walls[i] + ".motion.", case_, source_);
     }
     for (std::size_t i = 0; i < case_.gauges.size(); ++i)
       if (case_.gauges[i].kind == GaugeKind::front)
@@ -119,6 +122,35 @@ class CaseCheck {
     check_parts();
     check_gauges();
     check_periodic(given);
+    check_symmetry(given);
+  }
+
+  void check_symmetry(bool given) {
+    if (!case_.symmetry.any()) return;
+    std::string const key = "space.symmetry";
+    if (!given)
+      return source_.report_value(key, "needs space.domain, on whose sides the planes lie");
+    Point const anchor = lattice_anchor(case_);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::size_t end = 0; end < 2; ++end) {
+        if (!case_.symmetry.planes[axis][end]) continue;
+        std::string_view const side = side_names[2 * axis + end];
+        if (case_.periodic[axis])
+          source_.report_value(
+              key, fmt::format("makes a plane of {}, but {} is periodic", side, axis_names[axis]));
+        if (case_.gravity[axis] != 0.0)
+          source_.report_value(
+              key, fmt::format("makes a plane of {}, but gravity points across it", side));
+        double const plane = end == 0 ? case_.domain.min[axis] : case_.domain.max[axis];
+        double const layers = (plane - anchor[axis]) / case_.numerics.spacing;
+        bool const known = source_.good("resolution.spacing");
+        if (known && std::abs(layers - std::round(layers)) > 1e-6)
+          source_.report_value(
+              key,
+              fmt::format("puts the plane {} {:.6g} spacings from the lattice's corner; a whole "
+                          "number is expected, half a spacing from the nearest particles",
+                          side, layers));
+      }
   }
 
   void check_parts() {
@@ -126,6 +158,7 @@ class CaseCheck {
     for (std::size_t i = 0; i < case_.walls.size(); ++i) {
       bool const container = case_.walls[i].form == WallForm::container;
       check_inside(case_.walls[i].box, keys_.walls[i] + (container ? ".container" : ".solid"));
+      check_motion_inside(case_.walls[i], keys_.walls[i] + ".motion.");
     }
   }
 
@@ -136,10 +169,21 @@ class CaseCheck {
     check_reach(region, key + '.', case_, source_);
   }
 
+  void check_motion_inside(WallSpec const& wall, std::string const& key) {
+    if (!wall.motion.motion) return;
+    Box const swept = swept_box(wall.box, wall.motion, case_);
+    if (is_inside(swept, with_mirror_images(case_.domain, case_), case_.dimension)) return;
+    for (auto const* name : {"translation", "rotation", "file"})
+      if (source_.has(key + name))
+        return source_.report_value(key + name, "moves the wall out of the domain",
+                                    "enlarge space.domain");
+  }
+
   void check_inside(Box const& box, std::string const& key) {
     if (!is_good(key)) return;
+    Box const allowed = with_mirror_images(case_.domain, case_);
     for (auto const& [corner, name] : {std::pair(box.min, ".min"), std::pair(box.max, ".max")})
-      if (!is_inside({corner, corner}, case_.domain, case_.dimension))
+      if (!is_inside({corner, corner}, allowed, case_.dimension))
         source_.report_value(key + name, "is outside the domain");
   }
 

@@ -115,7 +115,7 @@ void check_reach_of(Shape const& shape, std::string const& key, Case const& c, S
   std::string const place = place_key(shape, key);
   if (!source.good(place) || !is_complete(shape, c.dimension)) return;
   auto const box = bounding_box(shape, c.dimension);
-  if (box && !is_inside(*box, c.domain, c.dimension))
+  if (box && !is_inside(*box, with_mirror_images(c.domain, c), c.dimension))
     source.report_value(place,
                         fmt::format("puts the {} partly outside the domain", word_for(shape)));
 }

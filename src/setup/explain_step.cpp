@@ -32,6 +32,9 @@ std::string search_words(Case const& c) {
                                  kernel_support * c.numerics.smoothing_length());
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (c.periodic[axis]) text += fmt::format("; periodic along {}", axis_names[axis]);
+  for (std::size_t side = 0; side < side_names.size(); ++side)
+    if (c.symmetry.planes[side / 2][side % 2])
+      text += fmt::format("; symmetry plane {}", side_names[side]);
   return text;
 }
 
@@ -50,6 +53,13 @@ std::string wall_words(Case const& c) {
     text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", wall.name,
                         wall.slip == Slip::free ? "free slip" : "no slip");
   return text;
+}
+
+std::string motion_words(Case const& c) {
+  std::string text;
+  for (auto const& wall : c.walls)
+    if (wall.motion.given()) text += fmt::format("{}{}", text.empty() ? "" : ", ", wall.name);
+  return text.empty() ? "nothing: all walls are at rest" : text;
 }
 
 std::string pair_words(Case const& c) {
@@ -80,8 +90,9 @@ struct Words {
 };
 
 // By label of the action; an action without an entry is told by its description alone.
-constexpr std::array<Words, 6> case_words{{
+constexpr std::array<Words, 7> case_words{{
     {"time step", time_step_words},
+    {"move walls", motion_words},
     {"search", search_words},
     {"matter", matter_words},
     {"walls", wall_words},

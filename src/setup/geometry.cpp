@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "setup/check_motion.hpp"
 
 namespace moraine {
 double length(Point const& vector) { return std::hypot(vector[0], vector[1], vector[2]); }
 
 bool is_inside(Box const& inner, Box const& outer, int dimension) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
-    double const tolerance = 1e-9 * (outer.max[axis] - outer.min[axis]);
+    double const size = outer.max[axis] - outer.min[axis];
+    double const tolerance = std::isfinite(size) ? 1e-9 * size : 0.0;
     if (inner.min[axis] < outer.min[axis] - tolerance) return false;
     if (inner.max[axis] > outer.max[axis] + tolerance) return false;
   }
@@ -21,6 +25,15 @@ Box common(Box a, Box const& b) {
     a.max[axis] = std::min(a.max[axis], b.max[axis]);
   }
   return a;
+}
+
+Box with_mirror_images(Box box, Case const& c) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (c.symmetry.planes[axis][0]) box.min[axis] = -infinity;
+    if (c.symmetry.planes[axis][1]) box.max[axis] = infinity;
+  }
+  return box;
 }
 
 std::optional<Box> box_around_regions(Case const& c) {
@@ -38,7 +51,7 @@ std::optional<Box> default_domain(Case const& c) {
   bool bounded = false;
   auto const add = [&](Box const& other) { box = box ? around(*box, other) : other; };
   for (auto const& wall : c.walls) {
-    add(wall.box);
+    add(swept_box(wall.box, wall.motion, c));
     bounded = bounded || wall.form == WallForm::container;
   }
   for (auto const& region : c.regions)

@@ -1,4 +1,4 @@
-// The table of parameters: regions, walls and gauges.
+// The table of parameters: regions and gauges.
 #include <vector>
 
 #include "setup/parameter_table.hpp"
@@ -79,56 +79,6 @@ std::vector<Entry<RegionSpec>> make_region_table() {
   return table;
 }
 
-Parameter wall_corner(std::string_view key, std::string_view form, std::string_view meaning) {
-  Parameter parameter = length_vector(Section::wall, key, meaning);
-  parameter.when_key = "form";
-  parameter.when_value = form;
-  return parameter;
-}
-
-// The same box is written under the name of its form, and read back under that name only.
-template <WallForm form, auto Corner>
-Entry<WallSpec> form_member(Parameter parameter) {
-  Entry<WallSpec> entry = member<WallSpec, &WallSpec::box, Corner>(std::move(parameter));
-  entry.get = [](WallSpec const& wall) {
-    return wall.form == form ? Value(wall.box.*Corner) : Value();
-  };
-  return entry;
-}
-
-std::vector<Entry<WallSpec>> make_wall_table() {
-  std::vector<Entry<WallSpec>> table;
-  table.push_back(member<WallSpec, &WallSpec::name>(name_of(Section::wall)));
-  table.push_back(member<WallSpec, &WallSpec::form>(
-      {.section = Section::wall,
-       .key = "form",
-       .type = ValueType::shape_key,
-       .presence = Presence::required,
-       .names = {"container", "solid"},
-       .meaning = "a box with the fluid inside of it, or outside"}));
-  table.push_back(form_member<WallForm::container, &Box::min>(
-      wall_corner("container.min", "container", "lower corner of the box around the fluid")));
-  table.push_back(form_member<WallForm::container, &Box::max>(
-      wall_corner("container.max", "container", "upper corner of the box around the fluid")));
-  table.push_back(form_member<WallForm::solid, &Box::min>(
-      wall_corner("solid.min", "solid", "lower corner of the solid box")));
-  table.push_back(form_member<WallForm::solid, &Box::max>(
-      wall_corner("solid.max", "solid", "upper corner of the solid box")));
-  table.push_back(member<WallSpec, &WallSpec::open>({.section = Section::wall,
-                                                     .key = "open",
-                                                     .type = ValueType::sides,
-                                                     .preset = std::vector<int>{},
-                                                     .meaning = "sides without a wall"}));
-  table.push_back(member<WallSpec, &WallSpec::slip>(
-      {.section = Section::wall,
-       .key = "slip",
-       .type = ValueType::choice,
-       .preset = static_cast<int>(Slip::free),
-       .names = {"free", "none"},
-       .meaning = "free: the fluid slides along the wall; none: it sticks"}));
-  return table;
-}
-
 Entry<GaugeSpec> front_side() {
   return {{.section = Section::gauge,
            .key = "axis",
@@ -189,11 +139,6 @@ std::vector<Entry<GaugeSpec>> make_gauge_table() {
 
 std::span<Entry<RegionSpec> const> region_entries() {
   static std::vector<Entry<RegionSpec>> const table = make_region_table();
-  return table;
-}
-
-std::span<Entry<WallSpec> const> wall_entries() {
-  static std::vector<Entry<WallSpec>> const table = make_wall_table();
   return table;
 }
 

@@ -70,7 +70,8 @@ inline constexpr std::array<SectionInfo, section_count> section_table{{
     {Section::region, "region", Repeat::list,
      "particles of one material on the lattice points of a shape; later regions replace earlier",
      true},
-    {Section::wall, "wall", Repeat::list, "a fixed rigid wall: the faces of a box"},
+    {Section::wall, "wall", Repeat::list,
+     "a rigid wall, at rest or moved as prescribed: the faces of a box"},
     {Section::gauge, "gauge", Repeat::list, "something measured during the run"},
     {Section::stage, "stage", Repeat::list, "a part of the run; stages follow each other"},
 }};

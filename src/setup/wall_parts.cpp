@@ -19,6 +19,18 @@ BoxWall box_wall(Case const& c, WallSpec const& spec) {
   wall.solid = spec.form == WallForm::container ? SolidSide::outside : SolidSide::inside;
   wall.open = spec.open;
   wall.periodic = {c.periodic, c.domain.min, c.domain.max};
+  // A symmetry plane cuts the box: its other half is a mirror image.
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    auto const& planes = c.symmetry.planes[axis];
+    if (planes[0] && wall.min[axis] <= c.domain.min[axis]) {
+      wall.min[axis] = c.domain.min[axis];
+      wall.open[axis][0] = true;
+    }
+    if (planes[1] && wall.max[axis] >= c.domain.max[axis]) {
+      wall.max[axis] = c.domain.max[axis];
+      wall.open[axis][1] = true;
+    }
+  }
   return wall;
 }
 

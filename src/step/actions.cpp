@@ -15,9 +15,6 @@ namespace {
 
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-// Share of the smoothing length that a voted step may carry a particle.
-constexpr double longest_motion = 0.5;
-
 /// Lowest index for which a particle is bad; `none` when all are good.
 template <class Bad>
 std::size_t first_bad(std::size_t count, Bad&& bad) {
@@ -67,6 +64,7 @@ void Simulation::choose_time_step() {
             model_.particles.id()[swept_.particle]};
   vote = stricter(vote, acceleration_vote_);
   vote = stricter(vote, motion_vote_);
+  vote = stricter(vote, vote_of_walls());
   if (stages_.damping() > 0.0)
     vote = stricter(vote, {0.5 / stages_.damping(), "damping", Vote::nobody});
   if (spec.fixed_step > 0.0) vote = {spec.fixed_step, "fixed step", Vote::nobody};
@@ -124,8 +122,10 @@ void Simulation::remove_lost() {
     double farthest = 0.0;
     for (std::size_t k = 0; k < axes; ++k) {
       if (model_.periodic[k]) continue;
-      double const below = model_.domain_min[k] - position[k][i];
-      double const above = position[k][i] - model_.domain_max[k];
+      // Beyond a symmetry plane a particle has changed places with its image.
+      auto const& plane = model_.symmetry.planes[k];
+      double const below = plane[0] ? 0.0 : model_.domain_min[k] - position[k][i];
+      double const above = plane[1] ? 0.0 : position[k][i] - model_.domain_max[k];
       if (std::max(below, above) <= farthest) continue;
       farthest = std::max(below, above);
       side = 2 * k + (above > below ? 1 : 0);

@@ -9,6 +9,7 @@
 #include "step/settings.hpp"
 #include "step/stages.hpp"
 #include "store/particle_store.hpp"
+#include "surface/symmetry.hpp"
 #include "terms/pair_backend.hpp"
 
 namespace moraine {
@@ -23,6 +24,7 @@ struct Model {
   std::array<double, 3> domain_min{};  // m
   std::array<double, 3> domain_max{};  // m
   std::array<bool, 3> periodic{};
+  Symmetry symmetry;
   std::array<double, 3> gravity{};  // m/s^2
   Numerics numerics;
   TimeSpec time;

@@ -16,6 +16,7 @@ constexpr std::array action_table{
     Simulation::ActionInfo{"kick and drift",
                            "half a step of velocity, density and energy; a whole "
                            "step of position"},
+    Simulation::ActionInfo{"move walls", "put walls that move to their new places"},
     Simulation::ActionInfo{"search",
                            "check the neighbour lists; when worn out remove particles that left "
                            "the domain, re-sort and rebuild"},
@@ -40,9 +41,10 @@ Simulation::Simulation(Model model, Unstarted)
       stages_(std::move(model_.stages)) {
   using Run = void (Simulation::*)();
   constexpr std::array<Run, action_table.size()> runs{
-      &Simulation::change_stage,        &Simulation::choose_time_step, &Simulation::kick_and_drift,
-      &Simulation::find_neighbours,     &Simulation::evaluate_matter,  &Simulation::gather,
-      &Simulation::continue_into_walls, &Simulation::sum_pairs,        &Simulation::kick_and_check};
+      &Simulation::change_stage,  &Simulation::choose_time_step,    &Simulation::kick_and_drift,
+      &Simulation::move_walls,    &Simulation::find_neighbours,     &Simulation::evaluate_matter,
+      &Simulation::gather,        &Simulation::continue_into_walls, &Simulation::sum_pairs,
+      &Simulation::kick_and_check};
   for (std::size_t k = 0; k < runs.size(); ++k)
     sequence_.push_back({action_table[k], runs[k], timers_.add(action_table[k].label)});
   model_.particles.shrink();
@@ -59,6 +61,7 @@ Simulation::Simulation(Model model, Archive& saved) : Simulation(std::move(model
   acceleration_vote_.reason = acceleration_limit;
   motion_vote_.reason = motion_limit;
   sort_by_material();
+  for (MovingWall& wall : model_.walls.bodies) wall.state = wall.motion.at(time_);
   half_step_factor_ = 1.0;
 }
 
@@ -85,6 +88,8 @@ void Simulation::exchange(Archive& archive) {
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
     archive.number(fmt::format("wall_impulse_{}", "xyz"[axis]), wall_impulse_[axis]);
+  archive.number("wall_work", wall_work_);
+  archive.number("wall_power", swept_.wall_power);
   model_.particles.exchange(archive);
   search_.exchange(archive, model_.particles);
 }
@@ -129,7 +134,11 @@ LostParticles Simulation::lost() const {
   return all;
 }
 
-void Simulation::sum_pairs() { swept_ = pairs_->sweep(model_.particles, search_); }
+void Simulation::sum_pairs() {
+  double const power_before = swept_.wall_power;
+  swept_ = pairs_->sweep(model_.particles, search_);
+  wall_work_ += 0.5 * vote_.time_step * (power_before + swept_.wall_power);
+}
 
 std::size_t Simulation::bytes() const {
   std::size_t sum = model_.particles.bytes() + search_.bytes() + pairs_->bytes() +

@@ -82,7 +82,10 @@ class Simulation {
   /// The stages that have begun so far.
   std::vector<StageEvent> const& stage_events() const { return stages_.events(); }
   std::size_t stages_to_come() const { return stages_.to_come(); }
-  ConservedSums sums() const;
+  ConservedSums sums() const;  // of the domain; see Model::symmetry for the whole
+  /// Work of moving walls on the fluid since the start [J], integrated as the step integrates
+  /// energies.
+  double wall_work() const { return wall_work_; }
   Timers const& timers() const { return timers_; }
 
   /// Memory of the particle data, lists and records, in bytes.
@@ -114,6 +117,8 @@ class Simulation {
   void change_stage();
   void choose_time_step();
   void kick_and_drift();
+  void move_walls();
+  void check_places_of_walls() const;
   void find_neighbours();
   void remove_lost();
   void evaluate_matter();
@@ -123,6 +128,7 @@ class Simulation {
   void kick_and_check();
 
   void sort_by_material();
+  Vote vote_of_walls() const;
   [[noreturn]] void fail(std::size_t particle, std::string const& cause) const;
   [[noreturn]] void fail_to_advance() const;
   double predict_by() const { return 0.5 * half_step_factor_ * vote_.time_step; }
@@ -140,6 +146,7 @@ class Simulation {
   LostThroughSides lost_{};
   std::vector<std::uint32_t> leaving_;  // indices, while lost particles are removed
   std::array<double, 3> wall_impulse_{};
+  double wall_work_ = 0.0;
   double time_ = 0.0;
   double half_step_factor_ = 0.0;  // 0 while rates are evaluated anew, else 1
   std::uint64_t step_ = 0;

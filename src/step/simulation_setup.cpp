@@ -9,6 +9,7 @@ SearchSettings search_settings(Model const& model) {
   SearchSettings settings;
   settings.dimension = model.dimension;
   settings.support = kernel_support * model.numerics.smoothing_length();
+  settings.walls_move = model.walls.move();
   // Wall particles and images lie up to a list radius outside of the domain.
   double const margin = 2.0 * settings.support;
   auto low = model.domain_min;
@@ -18,12 +19,13 @@ SearchSettings search_settings(Model const& model) {
     high[axis] += margin;
   }
   settings.fixed_point = FixedPoint::over(low, high, model.dimension);
-  Periodicity& sides = settings.periodicity;
+  DomainSides& sides = settings.sides;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(model.dimension); ++axis) {
     sides.periodic[axis] = model.periodic[axis];
     sides.low[axis] = model.domain_min[axis];
-    sides.period[axis] = model.domain_max[axis] - model.domain_min[axis];
-    sides.period_units[axis] = std::llround(sides.period[axis] / settings.fixed_point.scale);
+    sides.symmetric[axis] = model.symmetry.planes[axis];
+    sides.length[axis] = model.domain_max[axis] - model.domain_min[axis];
+    sides.length_units[axis] = std::llround(sides.length[axis] / settings.fixed_point.scale);
     sides.low_units[axis] =
         settings.fixed_point.units(model.domain_min[axis], static_cast<int>(axis));
   }
@@ -33,6 +35,7 @@ SearchSettings search_settings(Model const& model) {
 SweepParameters sweep_parameters(Model const& model) {
   SweepParameters p;
   Eos const& eos = model.materials.front().eos;
+  p.walls_move = model.walls.move();
   double const rho = reference_density(eos);
   double const c =
       std::visit([&](auto const& law) { return law.sound_speed(rho, law.reference_energy); }, eos);
@@ -45,13 +48,14 @@ SweepParameters sweep_parameters(Model const& model) {
     p.hydrostatic_slope[axis] = model.gravity[axis] / (c * c);
   p.volume_continuity = model.numerics.continuity == ContinuityForm::volume;
   p.contact_gap = 0.25 * model.numerics.spacing;
-  p.particle_volume = std::pow(model.numerics.spacing, model.dimension);
+  double const lattice_volume = std::pow(model.numerics.spacing, model.dimension);
   auto const set = [&](PairField field, double value) {
     p.uniform[static_cast<std::size_t>(field)] = value;
   };
-  set(PairField::mass, rho * p.particle_volume);
+  set(PairField::mass, rho * lattice_volume);
   set(PairField::reference_density, rho);
   set(PairField::sound_speed, c);
+  set(PairField::lattice_volume, lattice_volume);
   return p;
 }
 
@@ -64,6 +68,7 @@ std::vector<double> reference_densities(Model const& model) {
 
 SchemeName scheme_of(Model const& model) {
   if (model.numerics.continuity == ContinuityForm::volume) return SchemeName::compressible;
+  if (model.walls.turn()) return SchemeName::compressible;
   if (model.materials.size() != 1 || !std::holds_alternative<Tait>(model.materials.front().eos))
     return SchemeName::compressible;
   double const lattice_mass =

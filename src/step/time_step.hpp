@@ -12,6 +12,9 @@ namespace moraine {
 inline constexpr std::string_view acceleration_limit = "acceleration";
 inline constexpr std::string_view motion_limit = "motion";
 
+// Share of the smoothing length that a voted step may carry a particle or a wall.
+inline constexpr double longest_motion = 0.5;
+
 /// The longest step that somebody allows, why, and which particle asks for it.
 struct Vote {
   static constexpr std::uint64_t nobody = std::numeric_limits<std::uint64_t>::max();

@@ -13,6 +13,7 @@
 #include "smoothing/kernels.hpp"
 #include "store/particle_store.hpp"
 #include "terms/sweep_parameters.hpp"
+#include "walls/wall_data.hpp"
 
 namespace moraine {
 
@@ -23,24 +24,12 @@ enum class Flavour : std::uint8_t { mixed, full, reference };
 /// Which pair terms and records (terms/schemes.hpp).
 enum class SchemeName : std::uint8_t { liquid, compressible };
 
-/// What the pair terms know of a wall particle besides its place.
-struct WallPoint {
-  std::array<float, 3> normal;  // into the fluid; zero behind edges and corners
-  float depth;                  // m, behind the face of that normal
-  bool free_slip;
-};
-
-/// Constant data of wall particles.
-struct WallData {
-  std::vector<WallPoint> points;  // by global id minus first_id
-  std::uint64_t first_id = 0;
-};
-
 /// What one sweep tells besides the rates it leaves in the store.
 struct SweepOutcome {
   double signal_speed = 0.0;           // largest c + 0.6 (alpha c + beta max|mu|) [m/s]
   std::size_t particle = 0;            // whose, index in the store
   std::array<double, 3> wall_force{};  // force of all walls on the fluid [N]
+  double wall_power = 0.0;             // what moving walls do to the fluid [W]
 
   /// Takes over a larger signal speed; the first that is not a number stays.
   void include(double signal, std::size_t whose) {

@@ -45,7 +45,7 @@ class PairBackendImpl final : public PairBackend {
       gather_vectors(store, search.settings().fixed_point, ahead, begin, end);
       gather_scalars(store, ahead, begin, end);
     });
-    fluid_.refresh(images, search.settings().periodicity);
+    fluid_.refresh(images, search.settings().sides);
   }
 
   void gather_walls(ParticleStore& store, Search const& search, WallData const& walls) override {
@@ -60,11 +60,12 @@ class PairBackendImpl final : public PairBackend {
     for_each_block(wet.size(), NeighbourList::block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
         std::size_t const i = wet[n];
-        extrapolate_to(store, search, range.begin + i, i);
+        if (walls.move()) place_wall(store, search.settings().fixed_point, walls, i);
+        extrapolate_to(store, search, walls, range.begin + i, i);
         set_wall_state(store, range.begin + i, i);
       }
     });
-    wall_.refresh(images, search.settings().periodicity);
+    wall_.refresh(images, search.settings().sides);
   }
 
   SweepOutcome sweep(ParticleStore& store, Search const& search) override {
@@ -74,6 +75,7 @@ class PairBackendImpl final : public PairBackend {
     auto const combine = [](SweepOutcome a, SweepOutcome const& b) {
       a.include(b.signal_speed, b.particle);
       for (std::size_t axis = 0; axis < 3; ++axis) a.wall_force[axis] += b.wall_force[axis];
+      a.wall_power += b.wall_power;
       return a;
     };
     return reduce_blocks(store.range(Kind::fluid).size(), SweepOutcome{}, swept, combine);
@@ -158,45 +160,66 @@ class PairBackendImpl final : public PairBackend {
     }
   }
 
-  void extrapolate_to(ParticleStore& store, Search const& search, std::size_t k, std::size_t i) {
+  void extrapolate_to(ParticleStore& store, Search const& search, WallData const& walls,
+                      std::size_t k, std::size_t i) {
+    std::array<double, 3> gravity = parameters_.gravity;
+    if (walls.move()) {
+      WallPoint const& point = walls.points[store.id()[k] - walls.first_id];
+      gravity = subtract(gravity, walls.acceleration(point, place_of(store, k)));
+    }
     WallState const state =
         extrapolate<flavour == Flavour::reference, Real, D, Kernel, FluidLayout>(
-            parameters_, wall_.record(i), uniform_.data(), search.wall_fluid(), i, fluid_.data());
+            parameters_, wall_.record(i), uniform_.data(), search.wall_fluid(), i, fluid_.data(),
+            gravity);
     if (state.weight <= 0.0) return;
     store.scalar(Field::pressure)[k] = state.pressure;
     store.scalar(Field::density)[k] = state.density;
     store.scalar(Field::sound_speed)[k] = state.sound_speed;
   }
 
-  /// What stays the same between rebuilds of the lists.
+  /// What stays the same between rebuilds of the lists where walls are at rest.
   void place_walls(ParticleStore const& store, FixedPoint const& map, WallData const& walls) {
-    Range const range = store.range(Kind::wall);
-    for_each_block(range.size(), loop_block, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        std::size_t const k = range.begin + i;
-        WallPoint const& point = walls.points[store.id()[k] - walls.first_id];
-        wall_.set(i, PairField::wall_depth, point.free_slip ? point.depth : -point.depth);
-        for (int axis = 0; axis < D; ++axis) {
-          wall_.set_position(i, axis, store.component(Field::position, axis)[k], map);
-          wall_.set(i, PairField::velocity, 0.0, axis);
-          wall_.set(i, PairField::normal, point.normal[static_cast<std::size_t>(axis)], axis);
-        }
-      }
+    for_each_block(wall_.owned(), loop_block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) place_wall(store, map, walls, i);
     });
+  }
+
+  void place_wall(ParticleStore const& store, FixedPoint const& map, WallData const& walls,
+                  std::size_t i) {
+    std::size_t const k = store.range(Kind::wall).begin + i;
+    WallPoint const& point = walls.points[store.id()[k] - walls.first_id];
+    Vec3 const place = place_of(store, k);
+    Vec3 const velocity = walls.velocity(point, place);
+    Vec3 const normal = walls.normal(point);
+    [[maybe_unused]] Vec3 const turn = cross(normal, walls.angular_velocity(point));
+    wall_.set(i, PairField::wall_depth, point.free_slip ? point.depth : -point.depth);
+    for (int axis = 0; axis < D; ++axis) {
+      auto const component = static_cast<std::size_t>(axis);
+      wall_.set_position(i, axis, place[component], map);
+      wall_.set(i, PairField::velocity, velocity[component], axis);
+      wall_.set(i, PairField::normal, normal[component], axis);
+      if constexpr (WallLayout::has(PairField::wall_turn))
+        wall_.set(i, PairField::wall_turn, turn[component], axis);
+    }
+  }
+
+  static Vec3 place_of(ParticleStore const& store, std::size_t k) {
+    Vec3 place{};
+    for (int axis = 0; axis < D; ++axis)
+      place[static_cast<std::size_t>(axis)] = store.component(Field::position, axis)[k];
+    return place;
   }
 
   void set_wall_state(ParticleStore const& store, std::size_t k, std::size_t i) {
     double const rho = store.scalar(Field::density)[k];
     double const p = store.scalar(Field::pressure)[k];
-    double const rho_0 =
-        Scheme::uniform
-            ? parameters_.uniform[static_cast<std::size_t>(PairField::reference_density)]
-            : rho;
     wall_.set(i, PairField::pressure_term, p / (rho * rho));
-    wall_.set(i, PairField::compression, (rho - rho_0) / rho_0);
-    if constexpr (!Scheme::uniform) {
-      wall_.set(i, PairField::reference_density, rho_0);
-      wall_.set(i, PairField::mass, rho * parameters_.particle_volume);
+    if constexpr (Scheme::uniform) {
+      double const rho_0 =
+          parameters_.uniform[static_cast<std::size_t>(PairField::reference_density)];
+      wall_.set(i, PairField::compression, (rho - rho_0) / rho_0);
+    } else {
+      wall_.set(i, PairField::reference_density, rho);
       wall_.set(i, PairField::sound_speed, store.scalar(Field::sound_speed)[k]);
     }
   }
@@ -219,6 +242,8 @@ class PairBackendImpl final : public PairBackend {
               particle_mass[i] *
               sum_of_lanes(sum.acceleration[axis] - from_fluid->acceleration[axis]);
       }
+      if (from_fluid && parameters_.walls_move)
+        outcome.wall_power += particle_mass[i] * power_of_walls(i, sum, *from_fluid);
       density_rate[i] = sum_of_lanes(sum.density_rate);
       energy_rate[i] = sum_of_lanes(sum.energy_rate);
       double const mu = largest_lane(-sum.approach_speed);
@@ -229,6 +254,17 @@ class PairBackendImpl final : public PairBackend {
     for_each_sum(search, begin, end, fluid_terms<Number, D>(parameters_),
                  wall_terms<Number>(parameters_), use);
     return outcome;
+  }
+
+  /// What walls do to a particle, per mass [W/kg]: the work on its motion and on its inside. The
+  /// sum over the pairs is the power of the force at the velocity of the wall.
+  double power_of_walls(std::size_t i, PairSum<Number, D> const& all,
+                        PairSum<Number, D> const& from_fluid) const {
+    double power = sum_of_lanes(all.energy_rate - from_fluid.energy_rate);
+    for (int axis = 0; axis < D; ++axis)
+      power += sum_of_lanes(all.acceleration[axis] - from_fluid.acceleration[axis]) *
+               fluid_.get(i, PairField::velocity, axis);
+    return power;
   }
 
   /// Calls use(i, sum over all neighbours, the sum before wall neighbours were added if any were).

@@ -23,13 +23,17 @@ enum class PairField : std::uint8_t {
   sound_speed,        // m/s
   normal,             // wall normal into the fluid, or zero [-]
   wall_depth,         // distance behind the wall's face [m], negative where the wall has no slip
+  wall_turn,          // normal x angular velocity of the wall [1/s]
+  lattice_volume,     // volume of a wall particle, spacing^d [m^d]
 };
-inline constexpr std::size_t pair_field_count = 8;
+inline constexpr std::size_t pair_field_count = 10;
 
 /// Numbers that a field takes in D dimensions.
 template <int D>
 constexpr int components(PairField field) {
-  return field == PairField::velocity || field == PairField::normal ? D : 1;
+  bool const vector =
+      field == PairField::velocity || field == PairField::normal || field == PairField::wall_turn;
+  return vector ? D : 1;
 }
 
 /// Where each field lies in a record: position first, then the listed fields.
@@ -121,6 +125,14 @@ MORAINE_FORMULA auto normal(P const& particle, int axis) {
 }
 
 template <class P>
+MORAINE_FORMULA auto wall_turn(P const& particle, int axis) {
+  return particle.template get<PairField::wall_turn>(axis);
+}
+template <class P>
+MORAINE_FORMULA auto lattice_volume(P const& particle) {
+  return particle.template get<PairField::lattice_volume>();
+}
+template <class P>
 MORAINE_FORMULA auto wall_depth(P const& particle) {
   return particle.template get<PairField::wall_depth>();
 }
@@ -132,11 +144,11 @@ MORAINE_FORMULA auto density(P const& particle) {
 }
 
 /// Mass that a neighbour counts with [kg]. That of a wall particle is its density times the volume
-/// of a lattice cell; where records hold no mass, the uniform one is that at the reference density.
+/// of a lattice cell.
 template <bool wall, class P>
 MORAINE_FORMULA auto pair_weight(P const& neighbour) {
-  if constexpr (wall && !P::has(PairField::mass))
-    return mass(neighbour) * (number<typename P::Number>(1) + compression(neighbour));
+  if constexpr (wall)
+    return density(neighbour) * lattice_volume(neighbour);
   else
     return mass(neighbour);
 }

@@ -61,8 +61,8 @@ class Records {
     return numbers;
   }
 
-  /// Copies records to their images, moved by whole periods.
-  void refresh(std::vector<Image> const& images, Periodicity const& sides) {
+  /// Copies records to their images, with what moving or reflecting them changes.
+  void refresh(std::vector<Image> const& images, DomainSides const& sides) {
     for_each_block(images.size(), loop_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         Slot* const to = record(owned_ + k);
@@ -70,11 +70,13 @@ class Records {
         std::copy(from, from + Layout::stride, to);
         for (std::size_t axis = 0; axis < static_cast<std::size_t>(D); ++axis) {
           int const shift = images[k].shift[axis];
+          if (shift == 0) continue;
           if constexpr (fixed)
             to[axis] = std::bit_cast<float>(
                 sides.image_units(std::bit_cast<Units>(from[axis]), shift, axis));
           else
-            to[axis] = from[axis] + shift * sides.period[axis];
+            to[axis] = sides.image_place(from[axis], shift, axis);
+          if (sides.reverses(shift, axis)) reverse(to, axis);
         }
       }
     });
@@ -86,6 +88,14 @@ class Records {
  private:
   static std::size_t place(std::size_t i) {
     return slot_of(static_cast<std::uint32_t>(i)) * Layout::stride;
+  }
+
+  static void reverse(Slot* record, std::size_t axis) {
+    for (PairField const field : {PairField::velocity, PairField::normal, PairField::wall_turn})
+      if (Layout::has(field)) {
+        Slot& component = record[static_cast<std::size_t>(Layout::offset(field)) + axis];
+        component = -component;
+      }
   }
 
   void put_nowhere(std::size_t slot) {

@@ -41,6 +41,8 @@ void reference_sum(SweepParameters const& parameters, Self const& self,
       for (int axis = 0; axis < D; ++axis) {
         ahead += pair.x[axis] * normal(neighbour, axis);
         speed += v[axis] * normal(neighbour, axis);
+        if constexpr (std::decay_t<decltype(neighbour)>::has(PairField::wall_turn))
+          speed -= pair.x[axis] * wall_turn(neighbour, axis);
         length2 += normal(neighbour, axis) * normal(neighbour, axis);
       }
       bool const has_face = length2 > 0.5;

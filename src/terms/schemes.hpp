@@ -64,7 +64,8 @@ struct LiquidScheme {
                             PairField::compression, PairField::normal, PairField::wall_depth>;
 };
 
-/// Any mixture of compressible materials.
+/// Any mixture of compressible materials, and walls that turn. The density of a wall particle is
+/// its reference density.
 template <int D>
 struct CompressibleScheme {
   static constexpr bool uniform = false;
@@ -72,8 +73,8 @@ struct CompressibleScheme {
       RecordLayout<D, PairField::velocity, PairField::pressure_term, PairField::compression,
                    PairField::reference_density, PairField::mass, PairField::sound_speed>;
   using Wall = RecordLayout<D, PairField::velocity, PairField::pressure_term,
-                            PairField::compression, PairField::reference_density, PairField::mass,
-                            PairField::sound_speed, PairField::normal, PairField::wall_depth>;
+                            PairField::reference_density, PairField::sound_speed, PairField::normal,
+                            PairField::wall_depth, PairField::wall_turn>;
 };
 
 }  // namespace moraine

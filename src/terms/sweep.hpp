@@ -89,8 +89,9 @@ MORAINE_FORMULA Pair<Real, D> geometry(Real const& position_scale, Self const& s
 
 /// v_ij . x_ij and the gap as the wall's terms see them. Free slip: only the parts along the wall
 /// normal n count, (v_ij . n)(x_ij . n); at no-slip walls and where the neighbour has no normal
-/// (n = 0: corners) it is the whole product. Forces keep the whole x_ij: the pressure in a wall
-/// varies along the wall.
+/// (n = 0: corners) it is the whole product. A wall that turns has the normal velocity of the place
+/// beside i there, v_j . n + x_ij . (n x w), so that fluid that turns with it does not meet it.
+/// Forces keep the whole x_ij: the pressure in a wall varies along the wall.
 template <class Real, int D, class Neighbour>
 MORAINE_FORMULA void look_at_wall(Neighbour const& lanes, Real const (&v)[D], Pair<Real, D>& pair) {
   Real const zero = number<Real>(0);
@@ -100,6 +101,8 @@ MORAINE_FORMULA void look_at_wall(Neighbour const& lanes, Real const (&v)[D], Pa
   for (int axis = 0; axis < D; ++axis) {
     ahead += pair.x[axis] * normal(lanes, axis);
     speed += v[axis] * normal(lanes, axis);
+    if constexpr (Neighbour::has(PairField::wall_turn))
+      speed -= pair.x[axis] * wall_turn(lanes, axis);
     length2 += normal(lanes, axis) * normal(lanes, axis);
   }
   Real const depth = wall_depth(lanes);

@@ -17,7 +17,7 @@ struct SweepParameters {
   std::array<double, 3> hydrostatic_slope{};  // g / c_0^2 [1/m]
   bool volume_continuity = false;             // form of the continuity equation
   double contact_gap = 1.0;                   // below this distance a wall pushes back [m]
-  double particle_volume = 0.0;               // spacing^d [m^d], volume of a wall particle
+  bool walls_move = false;                    // walls do work
   UniformFields<double> uniform{};
 
   /// The uniform fields as numbers of a record.

@@ -40,16 +40,17 @@ MORAINE_FORMULA void add_to_wall(Real const& w, Real const (&x)[D], Real const (
 ///   p_w = (sum_f p_f W_wf + (g - a_w) . sum_f rho_f x_wf W_wf) / sum_f W_wf
 ///
 /// Source: Adami, Hu & Adams, J. Comput. Phys. 231 (2012) 7057, eq. 27; density and sound speed are
-/// the plain kernel means. a_w = 0: walls are at rest. g in m/s^2, x_wf = x_w - x_f in m.
+/// the plain kernel means. a_w: acceleration of the wall there; `seen_gravity` is g - a_w in m/s^2.
+/// x_wf = x_w - x_f in m.
 template <bool reference, class Real, int D, class Kernel, class Layout>
 WallState extrapolate(SweepParameters const& parameters, SlotOf<Real> const* self_record,
                       SlotOf<Real> const* uniform, NeighbourList const& lists, std::size_t i,
-                      SlotOf<Real> const* records) {
+                      SlotOf<Real> const* records, std::array<double, 3> const& seen_gravity) {
   using Number = std::conditional_t<reference, double, Real>;
   WallSums<Number> sums{};
   Number gravity[D];
   for (int axis = 0; axis < D; ++axis)
-    gravity[axis] = number<Number>(parameters.gravity[static_cast<std::size_t>(axis)]);
+    gravity[axis] = number<Number>(seen_gravity[static_cast<std::size_t>(axis)]);
   Number const inverse_h2 =
       number<Number>(1.0 / (parameters.smoothing_length * parameters.smoothing_length));
   auto const add = [&](auto const& neighbour, Number const(&x)[D]) {

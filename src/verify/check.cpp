@@ -19,6 +19,7 @@ std::vector<CheckResult> check_momentum_double(Effort effort);
 std::vector<CheckResult> check_momentum_mixed(Effort effort);
 std::vector<CheckResult> check_energy_order(Effort effort);
 std::vector<CheckResult> check_hydrostatic_pressure(Effort effort);
+std::vector<CheckResult> check_sloshing(Effort effort);
 std::vector<CheckResult> check_martin_moyce_front(Effort effort);
 std::vector<CheckResult> check_tnt_in_water(Effort effort);
 
@@ -38,6 +39,8 @@ constexpr std::array all_checks{
           check_energy_order},
     Check{"hydrostatic-pressure", "still water has the pressure rho g z and stays still",
           check_hydrostatic_pressure},
+    Check{"sloshing", "water in a swaying tank moves as linear potential theory says",
+          check_sloshing},
     Check{"martin-moyce-front", "the front of a dam break advances as measured",
           check_martin_moyce_front},
     Check{"tnt-in-water",

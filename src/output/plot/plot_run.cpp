@@ -81,6 +81,8 @@ std::vector<std::filesystem::path> plot_run(std::filesystem::path const& run,
     options.range = range_of_frames(frames, field);
     for (auto const& frame : frames) {
       written.push_back(out / fmt::format("{}_{}.png", field, frame.stem().string()));
+      auto const moved = frame.parent_path() / frame.filename().string().replace(0, 9, "walls");
+      if (std::filesystem::exists(moved)) options.walls = moved;
       if (!options.range)
         plot_profile(frame, field, written.back());
       else

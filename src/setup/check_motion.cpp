@@ -1,0 +1,147 @@
+#include "setup/check_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+#include "setup/geometry.hpp"
+#include "setup/motion_file.hpp"
+
+namespace moraine {
+namespace {
+
+/// How long sound takes for a smoothing length [s]: motions are smooth on that scale.
+double sound_time(Case const& c) {
+  double fastest = 0.0;
+  for (MaterialSpec const& material : c.materials)
+    fastest =
+        std::max(fastest, std::visit(
+                              [](auto const& law) {
+                                return law.sound_speed(law.reference_density, law.reference_energy);
+                              },
+                              material.eos));
+  double const time = c.numerics.smoothing_length() / fastest;
+  return std::isfinite(time) && time > 0.0 ? time : 1e-6 * c.time.end;
+}
+
+class MotionCheck {
+ public:
+  MotionCheck(MotionSpec& spec, std::string const& key, Case const& c, Source& source)
+      : spec_(spec), key_(key), case_(c), source_(source) {}
+
+  void run() {
+    if (!spec_.given()) {
+      for (auto const* name : {"about", "axis"})
+        if (source_.has(key_ + name))
+          source_.report_value(key_ + name, "says how to turn, but nothing turns",
+                               "give motion.rotation or motion.file");
+      return;
+    }
+    RigidMotion motion;
+    bool const sound = spec_.file.empty() ? read_formulas(motion) : read_file(motion);
+    if (!turn_axis(motion) || !sound) return;
+    spec_.motion = motion;
+  }
+
+ private:
+  bool wrong(std::string const& name, std::string rule, std::string hint = {}) {
+    source_.report_value(key_ + name, std::move(rule), std::move(hint));
+    return false;
+  }
+
+  bool read_file(RigidMotion& motion) {
+    if (!spec_.translation.empty() || !spec_.rotation.empty())
+      return wrong("file", "is given together with formulas", "leave out one of the two");
+    std::filesystem::path path = spec_.file;
+    if (path.is_relative()) path = std::filesystem::path(case_.file).parent_path() / path;
+    std::error_code ignored;
+    spec_.file = std::filesystem::absolute(path, ignored).lexically_normal().string();
+    try {
+      FiledMotion const filed = read_motion_file(path, case_.dimension);
+      motion = filed.motion;
+      if (filed.end < case_.time.end)
+        return wrong("file", fmt::format("ends at {:.6g} s, before the run at {:.6g} s", filed.end,
+                                         case_.time.end));
+    } catch (MotionFileError const& error) {
+      return wrong("file", error.what());
+    }
+    return true;
+  }
+
+  bool read_formulas(RigidMotion& motion) {
+    bool sound = true;
+    auto const count = static_cast<std::size_t>(case_.dimension);
+    if (!spec_.translation.empty() && spec_.translation.size() != count)
+      return wrong("translation", fmt::format("has {} formulas; {} are expected, one for each axis",
+                                              spec_.translation.size(), count));
+    for (std::size_t axis = 0; axis < spec_.translation.size(); ++axis)
+      sound = formula(spec_.translation[axis], "translation", motion.translation[axis]) && sound;
+    if (!spec_.rotation.empty()) {
+      if (case_.dimension == 1) return wrong("rotation", "is not possible in 1D");
+      sound = formula(spec_.rotation, "rotation", motion.rotation) && sound;
+    }
+    return sound;
+  }
+
+  bool formula(std::string const& text, std::string const& name, TimeCourse& course) {
+    double const step = sound_time(case_);
+    try {
+      course = TimeCourse::formula(text, step);
+    } catch (std::invalid_argument const& error) {
+      return wrong(name,
+                   fmt::format("holds \"{}\", which is no formula of t: {}", text, error.what()));
+    }
+    for (double const time : {0.0, 0.5 * case_.time.end, case_.time.end}) {
+      CourseState const state = course.at(time);
+      if (std::isfinite(state.value + state.rate + state.second_rate)) continue;
+      return wrong(
+          name, fmt::format("holds \"{}\", which is no finite number at t = {:.6g} s", text, time));
+    }
+    return true;
+  }
+
+  bool turn_axis(RigidMotion& motion) {
+    motion.about = spec_.about;
+    double const size = length(spec_.axis);
+    if (source_.has(key_ + "axis") && case_.dimension < 3)
+      return wrong("axis", "is possible in 3D only", "leave it out");
+    if (!(size > 0.0)) return wrong("axis", "has no length");
+    for (std::size_t k = 0; k < 3; ++k) motion.axis[k] = spec_.axis[k] / size;
+    return true;
+  }
+
+  MotionSpec& spec_;
+  std::string const& key_;
+  Case const& case_;
+  Source& source_;
+};
+
+}  // namespace
+
+void check_motion(MotionSpec& spec, std::string const& key, Case const& c, Source& source) {
+  if (c.dimension == 0) return;
+  MotionCheck(spec, key, c, source).run();
+}
+
+Box swept_box(Box const& box, MotionSpec const& spec, Case const& c) {
+  if (!spec.motion) return box;
+  constexpr int instants = 1000;
+  auto const axes = static_cast<std::size_t>(c.dimension);
+  Box swept = box;
+  for (int n = 0; n <= instants; ++n) {
+    RigidState const state = spec.motion->at(c.time.end * n / instants);
+    for (std::size_t corner = 0; corner < (std::size_t{1} << axes); ++corner) {
+      Point place{};
+      for (std::size_t k = 0; k < axes; ++k)
+        place[k] = ((corner >> k) & 1) != 0 ? box.max[k] : box.min[k];
+      place = state.place(place);
+      swept = around(swept, {place, place});
+    }
+  }
+  return swept;
+}
+
+}  // namespace moraine

@@ -1,0 +1,70 @@
+// Walls that move as prescribed.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/parallel_for.hpp"
+#include "step/simulation.hpp"
+#include "step/simulation_error.hpp"
+
+namespace moraine {
+/// A wall may neither pass the fluid within a step nor be accelerated so that the step misses it.
+Vote Simulation::vote_of_walls() const {
+  double const h = model_.numerics.smoothing_length();
+  Vote vote;
+  for (MovingWall const& wall : model_.walls.bodies) {
+    double const speed = wall.state.largest_speed(wall.radius);
+    double const acceleration = wall.state.largest_acceleration(wall.radius);
+    vote = stricter(vote, {longest_motion * h / speed, "motion of a wall", Vote::nobody});
+    vote = stricter(vote, {model_.time.courant * std::sqrt(h / acceleration),
+                           "acceleration of a wall", Vote::nobody});
+  }
+  return vote;
+}
+
+void Simulation::move_walls() {
+  WallData& walls = model_.walls;
+  if (!walls.move()) return;
+  for (MovingWall& wall : walls.bodies) wall.state = wall.motion.at(time_ + vote_.time_step);
+  ParticleStore& store = model_.particles;
+  Range const range = store.range(Kind::wall);
+  DomainSides const& sides = search_.settings().sides;
+  for_each_block(range.size(), loop_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = range.begin + begin; k < range.begin + end; ++k) {
+      std::size_t const number = store.id()[k] - walls.first_id;
+      WallPoint const& point = walls.points[number];
+      if (point.body == WallPoint::at_rest) continue;
+      Vec3 const place = walls.bodies[point.body].state.place(walls.start[number]);
+      for (int axis = 0; axis < model_.dimension; ++axis) {
+        auto const a = static_cast<std::size_t>(axis);
+        double& x = store.component(Field::position, axis)[k];
+        // Of the places that are whole periods apart the one next to the last.
+        double const periods =
+            sides.periodic[a] ? std::round((x - place[a]) / sides.length[a]) : 0.0;
+        x = place[a] + periods * sides.length[a];
+      }
+    }
+  });
+  check_places_of_walls();
+}
+
+/// Beyond its box the search knows no places.
+void Simulation::check_places_of_walls() const {
+  SearchSettings const& settings = search_.settings();
+  ParticleStore const& store = model_.particles;
+  Range const range = store.range(Kind::wall);
+  double const margin = 2.0 * settings.support;  // as search_settings
+  for (int axis = 0; axis < model_.dimension; ++axis) {
+    auto const a = static_cast<std::size_t>(axis);
+    auto const x = store.component(Field::position, axis);
+    for (std::size_t k = range.begin; k < range.begin + range.size(); ++k) {
+      if (x[k] >= model_.domain_min[a] - margin && x[k] <= model_.domain_max[a] + margin) continue;
+      throw SimulationError(
+          fmt::format("a moving wall leaves the domain: one of its particles is at {} = {:.6g} m; "
+                      "time {:.6g} s, step {}; enlarge the domain",
+                      "xyz"[axis], x[k], time_ + vote_.time_step, step_));
+    }
+  }
+}
+
+}  // namespace moraine
