@@ -278,6 +278,7 @@ std::string json_schema() {
     put(schema, section.key, section_schema(section), true);
     if (section.needed) require(schema, section.key, true);
   }
+  schema["anyOf"] = Json::array({has_key("region"), has_key("start")});
   return schema.dump(2) + '\n';
 }
 

@@ -68,8 +68,8 @@ inline constexpr std::array<SectionInfo, section_count> section_table{{
     {Section::material, "material", Repeat::named, "a material: equation of state and constants",
      true},
     {Section::region, "region", Repeat::list,
-     "particles of one material on the lattice points of a shape; later regions replace earlier",
-     true},
+     "particles of one material on the lattice points of a shape; later regions replace earlier; a "
+     "case that starts from another run needs none"},
     {Section::wall, "wall", Repeat::list, "a fixed rigid wall: the faces of a box"},
     {Section::gauge, "gauge", Repeat::list, "something measured during the run"},
     {Section::stage, "stage", Repeat::list, "a part of the run; stages follow each other"},
