@@ -55,6 +55,9 @@ class StartCheck {
     check_materials();
     check_places("outside the domain", [&](Point const& place) { return outside(place); });
     check_places("inside a wall", [&](Point const& place) { return in_wall(place); });
+    if (problems_.empty() && kept_start_particles(case_).empty())
+      report("start.run", "has no particle that stays: regions of this case fill all their places",
+             "leave out the regions that the other run began with");
     return std::move(problems_);
   }
 
@@ -166,6 +169,11 @@ void add_start_warnings(Case const& c, std::vector<InputProblem>& warnings) {
         c, "start.run",
         fmt::format("had not reached its end: the state is that of {:.6g} s, the end {:.6g} s",
                     info.time, info.end)));
+  std::size_t const all = c.start.particles->range(Kind::fluid).size();
+  if (std::size_t const kept = kept_start_particles(c).size(); 2 * kept < all)
+    warnings.push_back(problem_of(
+        c, "start.run",
+        fmt::format("loses {} of its {} particles to regions of this case", all - kept, all)));
   for (MaterialSpec const& material : c.materials)
     for (StartMaterial const& other : info.materials) {
       if (other.name != material.name) continue;

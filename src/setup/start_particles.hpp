@@ -19,11 +19,12 @@ std::vector<std::size_t> kept_start_particles(Case const& c);
 MaterialId start_material(Case const& c, std::size_t other);
 
 /// Mistakes of a case that do not go with the state that it starts from: another dimension, another
-/// spacing, a material that the case does not have, and particles that lie outside the domain or
-/// more than a quarter of the spacing inside a wall.
+/// spacing, a material that the case does not have, particles that lie outside the domain or more
+/// than a quarter of the spacing inside a wall, and regions that leave none of its particles.
 std::vector<InputProblem> start_problems(Case const& c);
 
-/// Doubts about it: other constants of a material, a run that had not reached its end.
+/// Doubts about it: other constants of a material, a run that had not reached its end, regions that
+/// replace more than half of its particles. The state must have been read.
 void add_start_warnings(Case const& c, std::vector<InputProblem>& warnings);
 
 }  // namespace moraine

@@ -269,6 +269,13 @@ TEST_F(StartFromARun, DoubtsOtherConstantsAndRunsThatAreNotOver) {
                 "# m/s\" here; its particles keep density and energy, not pressure"),
       std::string::npos)
       << warnings(pool("0.01", "90") + from_settled);
+  std::string half(water);
+  half.replace(half.find("0.6, 0.4"), 8, "0.5, 0.5");
+  EXPECT_NE(warnings(pool("0.01") + from_settled + half)
+                .find("start.run: \"settled\" loses 500 of its 600 particles to regions of this "
+                      "case"),
+            std::string::npos)
+      << warnings(pool("0.01") + from_settled + half);
   write(path("settle.toml"), pool("100") + water);
   Program program(path(""), {"run", "settle.toml", "-o", "unfinished"});
   wait_for_checkpoints("unfinished", 1);
@@ -313,6 +320,10 @@ TEST_F(StartFromARun, RefusesWhatDoesNotGoTogether) {
   EXPECT_TRUE(narrow.starts_with("20:7: start.run: \"settled\" has ")) << narrow;
   EXPECT_NE(narrow.find(" particles inside a wall, the first at (0.5"), std::string::npos)
       << narrow;
+  EXPECT_EQ(
+      mistake(good + swapped(water, "max = [0.6, 0.4]", "max = [1, 0.8]")),
+      "20:7: start.run: \"settled\" has no particle that stays: regions of this case fill all "
+      "their places; leave out the regions that the other run began with");
   std::string small = swapped(good, "max = [1, 0.8]", "max = [0.3, 0.8]");
   small = mistake(swapped(small, "[0.96, 0.05]", "[0.2, 0.05]") +
                   "[space.domain]\nmin = [0, 0]\nmax = [0.3, 0.8]\n");
