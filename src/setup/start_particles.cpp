@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -48,7 +49,8 @@ class StartCheck {
                          info.dimension));
       return std::move(problems_);
     }
-    if (info.spacing != case_.numerics.spacing)
+    // "2 cm" and 0.02 are one spacing.
+    if (std::abs(info.spacing - case_.numerics.spacing) > 1e-12 * info.spacing)
       report("resolution.spacing",
              fmt::format("differs from the spacing of the run that the case starts from, {} m",
                          info.spacing));

@@ -148,8 +148,9 @@ std::vector<std::uint64_t> state_bits(ParticleStore const& store) {
 }
 
 TEST_F(StartFromARun, HasItsParticlesToTheLastBit) {
-  Case const c = started(pool("0.01") + from_settled);
-  Model const model = build_model(c);
+  std::string text = pool("0.01") + from_settled;
+  text.replace(text.find("spacing = 0.02"), 14, "spacing = \"2 cm\"");
+  Model const model = build_model(started(text));
   RestoredRun const settled = end_of("settled");
   EXPECT_EQ(model.particles.range(Kind::fluid).size(), 600U);
   EXPECT_TRUE(state_bits(model.particles) == state_bits(settled.simulation->particles()));
