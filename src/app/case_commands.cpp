@@ -7,6 +7,7 @@
 
 #include "app/commands.hpp"
 #include "base/input_error.hpp"
+#include "output/checkpoint/start_reader.hpp"
 #include "setup/case_report.hpp"
 #include "setup/explain.hpp"
 #include "setup/explain_step.hpp"
@@ -44,10 +45,17 @@ void add_others(CLI::App& app, CaseCommandOptions& options) {
   app.add_subcommand("schema", "print the JSON Schema of case files, for editors");
 }
 
+/// The case with the state that it starts from, if it does.
+Case whole_case(std::string const& file) {
+  Case c = read_case(file);
+  read_start(c);
+  return c;
+}
+
 int check_case(CaseCommandOptions const& options) {
   if (options.threads > 0) omp_set_num_threads(options.threads);
   try {
-    CaseReport const report = report_case(read_case(options.case_file));
+    CaseReport const report = report_case(whole_case(options.case_file));
     fmt::print("{}{}", options.json ? to_json(report) : to_text(report), options.json ? "\n" : "");
     return ExitCode::done;
   } catch (InputErrors const& errors) {
@@ -61,7 +69,7 @@ int explain_key(CaseCommandOptions const& options) {
   if (options.reference)
     fmt::print("{}", reference_page());
   else if (!options.case_file.empty())
-    fmt::print("{}", explain_step(read_case(options.case_file)));
+    fmt::print("{}", explain_step(whole_case(options.case_file)));
   else
     fmt::print("{}", explain(options.name));
   return ExitCode::done;

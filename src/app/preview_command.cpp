@@ -14,12 +14,15 @@
 
 #include "app/commands.hpp"
 #include "base/input_error.hpp"
+#include "output/checkpoint/start_reader.hpp"
 #include "output/plot/plot_preview.hpp"
 #include "output/vtp_writer.hpp"
 #include "setup/build_model.hpp"
 #include "setup/fill.hpp"
 #include "setup/geometry.hpp"
 #include "setup/read_case.hpp"
+#include "setup/region_lattice.hpp"
+#include "setup/start_particles.hpp"
 
 namespace moraine {
 namespace {
@@ -105,17 +108,28 @@ Vec3 on_a_layer(Vec3 place, ParticleStore const& store) {
   return nearest;
 }
 
+/// The particles that come from another run.
+PreviewPart start_part(Case const& c) {
+  PreviewPart part{"from " + std::filesystem::path(c.start.run).filename().string(), {}, 0.0};
+  for (std::size_t const i : kept_start_particles(c))
+    part.positions.push_back(place_of(*c.start.particles, i));
+  return part;
+}
+
 /// A part for each region, or for each of its layers.
 std::vector<PreviewPart> parts_of(Case const& c, std::vector<Seed> const& seeds) {
   std::map<std::pair<std::size_t, MaterialId>, PreviewPart> parts;
+  auto const lattices = lattices_of_regions(c);
   for (Seed const& seed : seeds) {
     PreviewPart& part = parts[{seed.region, seed.material}];
     part.name = c.regions[seed.region].name;
+    part.spacing = lattices[seed.region].spacing;
     if (!c.regions[seed.region].layers.materials.empty())
       part.name += ", " + c.materials[seed.material].name;
     part.positions.push_back(seed.position);
   }
   std::vector<PreviewPart> list;
+  if (!c.start.run.empty()) list.push_back(start_part(c));
   for (auto& [key, part] : parts) list.push_back(std::move(part));
   return list;
 }
@@ -146,12 +160,23 @@ void say_bodies(ShapeTree const& tree, std::string const& region) {
     for (ShapeTree const& part : *list) say_bodies(part, region);
 }
 
+void say_start_counts(Case const& c, std::string const& unit) {
+  auto const kept = kept_start_particles(c);
+  double mass = 0.0;
+  for (std::size_t const i : kept) mass += c.start.particles->scalar(Field::mass)[i];
+  std::size_t const all = c.start.particles->range(Kind::fluid).size();
+  fmt::print("from {}: {} particles, {:.6g} {}{}\n", c.start.info.run, kept.size(), mass, unit,
+             kept.size() == all ? std::string()
+                                : fmt::format(", {} more replaced by regions", all - kept.size()));
+}
+
 void say_counts(Case const& c, Model const& model, std::vector<Seed> const& seeds) {
   auto const counts = count_regions(c);
   std::vector<double> masses(c.regions.size(), 0.0);
   for (Seed const& seed : seeds) masses[seed.region] += seed.mass;
   constexpr std::array units{"kg/m^2", "kg/m", "kg"};
   std::string const unit = units[static_cast<std::size_t>(c.dimension - 1)];
+  if (!c.start.run.empty()) say_start_counts(c, unit);
   for (std::size_t i = 0; i < c.regions.size(); ++i) {
     std::string replaced;
     if (counts[i].replaced > 0)
@@ -166,7 +191,8 @@ void say_counts(Case const& c, Model const& model, std::vector<Seed> const& seed
 }  // namespace
 
 int preview_case(PreviewOptions const& options) {
-  Case const c = read_case(options.case_file);
+  Case c = read_case(options.case_file);
+  read_start(c);
   std::filesystem::path const folder = options.output.empty()
                                            ? default_folder(options.case_file)
                                            : std::filesystem::path(options.output);

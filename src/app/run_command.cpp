@@ -10,6 +10,7 @@
 #include "app/commands.hpp"
 #include "app/run_loop.hpp"
 #include "base/input_error.hpp"
+#include "output/checkpoint/start_reader.hpp"
 #include "output/run_folder.hpp"
 #include "setup/build_model.hpp"
 #include "setup/read_case.hpp"
@@ -43,6 +44,14 @@ void check_output(std::filesystem::path const& folder, bool force) {
     refuse("holds the results of a run; --force replaces them, moraine resume goes on with them");
 }
 
+/// A run cannot start from what it is about to replace.
+void check_start_is_elsewhere(Case const& c, std::filesystem::path const& folder) {
+  std::error_code ignored;
+  if (!c.start.run.empty() && std::filesystem::equivalent(c.start.run, folder, ignored))
+    throw InputErrors({problem_of(c, "start.run", "is the folder of this run's own results",
+                                  "choose another folder with --output")});
+}
+
 /// The simulation with its first rates; a start that no law can answer is a mistake of the case.
 Simulation started(Case const& c) {
   try {
@@ -58,13 +67,17 @@ Simulation started(Case const& c) {
 int run_case(RunOptions const& options) {
   if (options.threads > 0) omp_set_num_threads(options.threads);
   int const threads = omp_get_max_threads();
-  Case const c = read_case(options.case_file);
+  Case c = read_case(options.case_file);
+  read_start(c);
   std::string const output =
       options.output.empty() ? default_output(options.case_file) : options.output;
   check_output(output, options.force);
+  check_start_is_elsewhere(c, output);
 
   Simulation simulation = started(c);
   make_run_folder(output);
+  write_start_copy(c, output);
+  c.start.particles.reset();
   RunRecorder recorder(c, simulation, output, threads);
   Run const run{c, simulation, recorder, output};
   say_start(run, threads);

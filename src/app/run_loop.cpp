@@ -158,6 +158,11 @@ void say_start(Run const& run, int threads) {
       c.title.empty() ? c.file : c.title, c.dimension, store.range(Kind::fluid).size(),
       store.range(Kind::wall).size(), c.numerics.spacing, c.numerics.smoothing_length(),
       kernel_name(c.numerics.kernel), threads, simd_flavour);
+  if (double const finest = run.simulation.model().finest_spacing; finest < c.numerics.spacing)
+    fmt::print("finest spacing of a region {:.4g} m\n", finest);
+  if (StartInfo const& from = c.start.info; !c.start.run.empty())
+    fmt::print("particles from {} of {}, time {:.6g} s, step {}\n", from.checkpoint, from.run,
+               from.time, from.step);
 }
 
 int run_to_end(Run const& run) {

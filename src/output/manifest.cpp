@@ -63,6 +63,12 @@ void write_manifest(std::filesystem::path const& path, Manifest const& manifest)
       {"resumed_at_steps", manifest.resumed_at_steps},
       {"state", manifest.end ? "ended" : "running"},
   };
+  if (manifest.start)
+    json["start"] = {{"run", manifest.start->run},
+                     {"checkpoint", manifest.start->checkpoint},
+                     {"sha256", manifest.start->sha256},
+                     {"time_s", manifest.start->time},
+                     {"step", manifest.start->step}};
   for (StageEvent const& event : manifest.stages)
     json["stages"].push_back({{"name", event.stage},
                               {"time_s", event.time},

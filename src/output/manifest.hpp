@@ -33,15 +33,25 @@ struct RunEnd {
   std::uint64_t particles = 0;  // left at the end
 };
 
+/// The state of another run that this one started from.
+struct RunStart {
+  std::string run;         // folder, seen from that of the case file
+  std::string checkpoint;  // file name
+  std::string sha256;      // digest of that file's bytes
+  double time = 0.0;       // s
+  std::uint64_t step = 0;
+};
+
 /// Everything that manifest.json holds. Nothing in it names the machine.
 struct Manifest {
   BuildInfo build;
   int threads = 1;
-  std::string precision;        // "mixed" or "double"
-  std::string case_file;        // only its file name is written
-  std::string case_sha256;      // digest of the case file's bytes
-  std::string start_time;       // UTC, ISO 8601, see utc_now
-  std::uint64_t particles = 0;  // at the start, walls included
+  std::string precision;          // "mixed" or "double"
+  std::string case_file;          // only its file name is written
+  std::string case_sha256;        // digest of the case file's bytes
+  std::string start_time;         // UTC, ISO 8601, see utc_now
+  std::uint64_t particles = 0;    // at the start, walls included
+  std::optional<RunStart> start;  // absent where all particles are those of regions
   std::vector<std::uint64_t> resumed_at_steps;
   std::vector<StageEvent> stages;  // that have begun
   std::optional<RunEnd> end;       // absent while the run goes on

@@ -45,6 +45,7 @@ void make_run_folder(std::filesystem::path const& folder) {
         fmt::format("cannot make the folder '{}': {}", folder.string(), error.message()));
   drop_frames(folder, 0);
   Checkpoints(folder).forget();
+  std::filesystem::remove(folder / start_copy);
   std::filesystem::remove(folder / "stop");
 }
 

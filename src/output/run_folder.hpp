@@ -7,6 +7,9 @@
 
 namespace moraine {
 
+/// The state of another run that a run started from, sealed; a run that goes on needs it.
+inline constexpr char const* start_copy = "start.h5";
+
 /// True when a folder holds results of a run, finished or not.
 bool holds_a_run(std::filesystem::path const& folder);
 

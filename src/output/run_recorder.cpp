@@ -118,6 +118,8 @@ RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::files
 void RunRecorder::write_start(int threads) {
   manifest_.build = build_info();
   manifest_.threads = threads;
+  if (StartInfo const& from = case_.start.info; !case_.start.run.empty())
+    manifest_.start = RunStart{from.run, from.checkpoint, from.sha256, from.time, from.step};
   manifest_.precision = case_.numerics.precision == Precision::mixed ? "mixed" : "double";
   write_manifest(folder_ / "manifest.json", manifest_);
 }

@@ -11,6 +11,8 @@
 #include "setup/case_size.hpp"
 #include "setup/fill.hpp"
 #include "setup/geometry.hpp"
+#include "setup/region_lattice.hpp"
+#include "setup/start_particles.hpp"
 #include "setup/wall_parts.hpp"
 
 namespace moraine {
@@ -26,6 +28,22 @@ struct Members {
   std::vector<std::vector<std::uint64_t>> regions;
   std::vector<std::vector<std::uint64_t>> walls;
 };
+
+// In the order of the ids that they had; their new ids count from zero.
+void add_start_particles(Case const& c, Model& model) {
+  ParticleStore& store = model.particles;
+  for (std::size_t const from : kept_start_particles(c)) {
+    ParticleStore const& old = *c.start.particles;
+    std::size_t const i = store.append(Kind::fluid, start_material(c, old.material()[from]));
+    for (int axis = 0; axis < store.dimension(); ++axis) {
+      store.component(Field::position, axis)[i] = old.component(Field::position, axis)[from];
+      if (c.start.velocities == StartVelocities::keep)
+        store.component(Field::velocity, axis)[i] = old.component(Field::velocity, axis)[from];
+    }
+    for (Field const field : {Field::density, Field::specific_energy, Field::mass})
+      store.scalar(field)[i] = old.scalar(field)[from];
+  }
+}
 
 void add_fluid(Case const& c, Model& model, Members& members) {
   ParticleStore& store = model.particles;
@@ -147,11 +165,15 @@ Model build_model(Case const& c) {
   model.symmetry = c.symmetry;
   model.gravity = c.gravity;
   model.numerics = c.numerics;
+  model.finest_spacing = finest_spacing(c);
+  if (!c.start.run.empty())
+    model.finest_spacing = std::min(model.finest_spacing, c.start.info.finest_spacing);
   model.time = c.time;
   for (MaterialSpec const& material : c.materials)
     model.materials.push_back({material.name, material.eos});
   model.particles = ParticleStore(c.dimension);
   Members members;
+  add_start_particles(c, model);
   add_fluid(c, model, members);
   add_walls(c, model, members);
   add_stages(c, model, members);

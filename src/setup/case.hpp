@@ -19,6 +19,7 @@
 #include "setup/probe_spec.hpp"
 #include "setup/shape/shape.hpp"
 #include "setup/stage_spec.hpp"
+#include "setup/start_state.hpp"
 #include "step/settings.hpp"
 #include "surface/symmetry.hpp"
 
@@ -72,6 +73,9 @@ struct RegionSpec {
   std::vector<ShapeTree> plus{};
   std::vector<ShapeTree> minus{};
   Layers layers{};
+  // At most one of the two; none: the lattice of the case (setup/region_lattice.hpp).
+  std::optional<double> spacing{};  // m, of its own lattice
+  std::string equal_mass_with{};    // the region whose particles have the mass of these
 };
 
 enum class WallForm : std::uint8_t { container, solid };  // fluid inside the box | outside of it
@@ -130,6 +134,7 @@ struct Case {
   Point gravity{};  // m/s^2
   LatticeName lattice = LatticeName::square;
   Numerics numerics;
+  StartSpec start;
   TimeSpec time;
   OutputSpec output;
   std::vector<MaterialSpec> materials;

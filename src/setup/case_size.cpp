@@ -6,8 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include "setup/fill.hpp"
+#include "setup/region_lattice.hpp"
+#include "setup/smoothing_warnings.hpp"
 
 namespace moraine {
 namespace {
@@ -32,28 +36,68 @@ double wall_particles(Case const& c, WallSpec const& wall) {
   return sum;
 }
 
-double size_for(Case const& c, double spacing) {
+// Beyond the neighbours that particles at the spacing of the case have, those of a finer region
+// have more of them in their lists, two bytes each (search/neighbour_list.hpp).
+double longer_lists(Case const& c, double spacing) {
+  double const h = c.numerics.smoothing_length();
+  return 2.0 * std::max(0.0, neighbours_within(kernel_support * h / spacing, c.dimension) -
+                                 neighbours_within(kernel_support * c.numerics.smoothing_factor,
+                                                   c.dimension));
+}
+
+// The key whose spacing makes most particles, and the place of that spacing.
+struct Culprit {
+  std::string key = "resolution.spacing";
+  std::optional<std::size_t> region{};  // with a spacing of its own
+  double& spacing(Case& c) const {
+    return region ? *c.regions[*region].spacing : c.numerics.spacing;
+  }
+};
+
+Culprit culprit_of(Case const& c) {
+  auto const particles = estimated_by_region(c);
+  auto const most = std::max_element(particles.begin(), particles.end());
+  Culprit culprit;
+  if (most == particles.end()) return culprit;
+  auto const i = static_cast<std::size_t>(most - particles.begin());
+  if (!c.regions[i].spacing) return culprit;
+  culprit.key = "region." + c.regions[i].name + ".spacing";
+  culprit.region = i;
+  return culprit;
+}
+
+double size_for(Case const& c, Culprit const& culprit, double spacing) {
   Case other = c;
-  other.numerics.spacing = spacing;
+  culprit.spacing(other) = spacing;
   return estimate_size(other).particles();
 }
 
-// The finest of the spacings 1, 2 and 5 times a power of ten that gives at most so many particles.
-double fitting_spacing(Case const& c, double most) {
-  double const least = std::floor(std::log10(c.numerics.spacing));
-  for (double power = std::pow(10.0, least);; power *= 10.0)
+// The finest of the spacings 1, 2 and 5 times a power of ten that gives at most so many particles;
+// nothing if none does, because others have too many.
+std::optional<double> fitting_spacing(Case c, Culprit const& culprit, double most) {
+  double const given = culprit.spacing(c);
+  double power = std::pow(10.0, std::floor(std::log10(given)));
+  for (int tens = 0; tens < 12; ++tens, power *= 10.0)
     for (double const digit : {1.0, 2.0, 5.0})
-      if (digit * power > c.numerics.spacing && size_for(c, digit * power) <= most)
+      if (digit * power > given && size_for(c, culprit, digit * power) <= most)
         return digit * power;
+  return std::nullopt;
 }
 
 }  // namespace
 
 CaseSize estimate_size(Case const& c) {
   CaseSize size;
-  size.fluid = estimated_particles(c);
+  auto const particles = estimated_by_region(c);
+  auto const lattices = lattices_of_regions(c);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    size.fluid += particles[i];
+    size.bytes += particles[i] * longer_lists(c, lattices[i].spacing);
+  }
+  if (c.start.particles)
+    size.fluid += static_cast<double>(c.start.particles->range(Kind::fluid).size());
   for (WallSpec const& wall : c.walls) size.walls += wall_particles(c, wall);
-  size.bytes = size.particles() * bytes_per_particle[static_cast<std::size_t>(c.dimension - 1)];
+  size.bytes += size.particles() * bytes_per_particle[static_cast<std::size_t>(c.dimension - 1)];
   return size;
 }
 
@@ -69,11 +113,13 @@ void check_size(Case const& c, double memory) {
   std::string const limit =
       countable ? fmt::format("this machine has {:.3g} GB", memory / 1e9)
                 : fmt::format("at most {:.0f} particles are possible", most_particles);
+  Culprit const culprit = culprit_of(c);
+  auto const fitting = fitting_spacing(c, culprit, most);
   throw InputErrors({problem_of(
-      c, "resolution.spacing",
+      c, culprit.key,
       fmt::format("makes about {:.2g} particles, which need about {:.3g} GB of memory; {}",
                   size.particles(), size.bytes / 1e9, limit),
-      fmt::format("a spacing of {:.4g} m fits", fitting_spacing(c, most)))});
+      fitting ? fmt::format("a spacing of {:.4g} m fits", *fitting) : std::string())});
 }
 
 }  // namespace moraine

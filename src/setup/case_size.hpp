@@ -19,8 +19,9 @@ CaseSize estimate_size(Case const& c);
 /// Memory of this machine in bytes.
 double machine_memory();
 
-/// Throws InputErrors at the key resolution.spacing for a case of more particles than indices can
-/// count, or that needs more than `memory` bytes; says which spacing would fit.
+/// Throws InputErrors at the key of the spacing that makes most of them for a case of more
+/// particles than indices can count, or that needs more than `memory` bytes; says which spacing
+/// would fit.
 void check_size(Case const& c, double memory = machine_memory());
 
 }  // namespace moraine

@@ -122,6 +122,27 @@ void add_numerics(std::vector<Entry<Case>>& table) {
        .source = "usual for blast"}));
 }
 
+// Both keys are shown only where there is another run.
+void add_start(std::vector<Entry<Case>>& table) {
+  table.push_back(member<Case, &Case::start, &StartSpec::run>(
+      {.key = "start.run",
+       .type = ValueType::text,
+       .presence = Presence::with_table,
+       .preset_note = "particles of regions only",
+       .meaning = "folder of another run, from whose newest checkpoint the case takes its "
+                  "particles; its path counts from the case file"}));
+  Entry<Case> velocities = member<Case, &Case::start, &StartSpec::velocities>(
+      {.key = "start.velocities",
+       .type = ValueType::choice,
+       .preset = static_cast<int>(StartVelocities::keep),
+       .names = {"keep", "zero"},
+       .meaning = "whether these particles keep their velocities or start at rest"});
+  velocities.get = [](Case const& c) {
+    return c.start.run.empty() ? Value() : binding::load(c.start.velocities);
+  };
+  table.push_back(velocities);
+}
+
 void add_time(std::vector<Entry<Case>>& table) {
   table.push_back(member<Case, time_part, &TimeSpec::end>({.key = "time.end",
                                                            .quantity = Quantity::time,
@@ -188,6 +209,7 @@ std::vector<Entry<Case>> make_table() {
   add_space(table);
   add_resolution(table);
   add_numerics(table);
+  add_start(table);
   add_time(table);
   add_output(table);
   return table;

@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <optional>
 
 #include "setup/geometry.hpp"
 #include "setup/parameter.hpp"
+#include "setup/region_lattice.hpp"
+#include "setup/smoothing_warnings.hpp"
+#include "setup/start_particles.hpp"
 
 namespace moraine {
 namespace {
@@ -27,13 +27,16 @@ class Warnings {
 
   std::vector<InputProblem> find() {
     for (auto const& gauge : case_.gauges) look_at(gauge);
-    for (auto const& region : case_.regions)
-      if (auto const box = bounding_box(region.shape, case_.dimension))
-        look_at_thickness(*box, "region." + region.name);
+    auto const lattices = lattices_of_regions(case_);
+    for (std::size_t i = 0; i < lattices.size(); ++i)
+      if (auto const box = bounding_box(case_.regions[i].shape, case_.dimension))
+        look_at_thickness(*box, lattices[i].spacing, "region." + case_.regions[i].name);
     for (auto const& wall : case_.walls)
-      if (wall.form == WallForm::solid) look_at_thickness(wall.box, "wall." + wall.name);
+      if (wall.form == WallForm::solid)
+        look_at_thickness(wall.box, case_.numerics.spacing, "wall." + wall.name);
     look_at_sound_speeds();
-    look_at_smoothing();
+    add_smoothing_warnings(case_, warnings_);
+    add_start_warnings(case_, warnings_);
     return std::move(warnings_);
   }
 
@@ -82,14 +85,14 @@ class Warnings {
     return false;
   }
 
-  void look_at_thickness(Box const& box, std::string const& key) {
+  void look_at_thickness(Box const& box, double spacing, std::string const& key) {
     for (std::size_t axis = 0; axis < axes_; ++axis) {
       double const extent = box.max[axis] - box.min[axis];
       if (extent >= support()) continue;
       warn(key,
            fmt::format("is {:.4g} m thin along {}, {:.3g} spacings; the kernel reaches {:.4g} m "
                        "(2 h), across all of it",
-                       extent, axis_names[axis], extent / case_.numerics.spacing, support()),
+                       extent, axis_names[axis], extent / spacing, support()),
            "refine the spacing or make it thicker");
     }
   }
@@ -106,15 +109,16 @@ class Warnings {
     for (std::size_t i = fluid_.begin; i < fluid_.end; ++i) {
       Point x{};
       for (std::size_t axis = 0; axis < axes_; ++axis) x[axis] = coordinate(axis, i);
-      top = std::max(top, height(x));
-      bottom = std::min(bottom, height(x));
+      double const volume = store_.scalar(Field::mass)[i] / store_.scalar(Field::density)[i];
+      double const half = 0.5 * std::pow(volume, 1.0 / case_.dimension);
+      top = std::max(top, height(x) + half);
+      bottom = std::min(bottom, height(x) - half);
     }
-    double const half = 0.5 * case_.numerics.spacing;
-    double lowest = bottom - half;
+    double lowest = bottom;
     for (auto const& wall : case_.walls)
       if (wall.form == WallForm::container)
         lowest = std::min({lowest, height(wall.box.min), height(wall.box.max)});
-    return top + half - lowest;
+    return top - lowest;
   }
 
   double fastest_start() const {
@@ -160,26 +164,6 @@ class Warnings {
                         "{:.3g} times fewer steps",
                         ratio, speed, ratio / 10.0));
     }
-  }
-
-  void look_at_smoothing() {
-    constexpr std::array<double, 3> fewest{4.0, 12.0, 33.0};
-    constexpr std::array<double, 3> usual{5.0, 21.0, 57.0};
-    double const reach = kernel_support * case_.numerics.smoothing_factor;  // in spacings
-    std::array<double, 3> const counts{2.0 * reach, std::numbers::pi * reach * reach,
-                                       4.0 / 3.0 * std::numbers::pi * reach * reach * reach};
-    double const neighbours = counts[axes_ - 1];
-    if (neighbours < fewest[axes_ - 1])
-      warn_of_value("resolution.smoothing_factor",
-                    fmt::format("{}", case_.numerics.smoothing_factor),
-                    fmt::format("gives about {:.2g} neighbours; {:.0f} are usual in {}D",
-                                neighbours, usual[axes_ - 1], axes_));
-    if (case_.numerics.kernel == KernelName::cubic_spline && case_.numerics.smoothing_factor > 1.5)
-      warn(
-          "resolution.smoothing_factor",
-          "puts neighbours at rest inside the inflection point of the cubic spline, where they may "
-          "form pairs",
-          "at most 1.5, or the kernel wendland_c2");
   }
 
   Case const& case_;

@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <string_view>
+#include <system_error>
 
 #include "base/input_error.hpp"
 #include "setup/check_motion.hpp"
 #include "setup/check_probe.hpp"
 #include "setup/check_region.hpp"
+#include "setup/check_spacing.hpp"
 #include "setup/check_stages.hpp"
 #include "setup/geometry.hpp"
 #include "setup/lattice.hpp"
@@ -29,8 +32,11 @@ class CaseCheck {
     check_names(case_.walls, keys_.walls);
     check_names(case_.gauges, keys_.gauges);
     check_names(case_.stages, keys_.stages);
-    if (case_.regions.empty() && keys_.regions.empty() && !source_.has_problem("region"))
-      source_.report_key("region", {}, "is missing: a case needs at least one [[region]]");
+    check_start();
+    if (case_.regions.empty() && keys_.regions.empty() && case_.start.run.empty() &&
+        !source_.has_problem("region") && !source_.has_problem("start.run"))
+      source_.report_key("region", {}, "is missing: a case needs at least one [[region]]",
+                         "or a run to start from, start.run");
     if (case_.materials.size() > largest_material_count)
       source_.report_key("material", {},
                          fmt::format("has {} entries; {} are possible", case_.materials.size(),
@@ -50,10 +56,21 @@ class CaseCheck {
         check_probe(case_, case_.gauges[i], keys_.gauges[i], source_);
     check_stages(case_, keys_.stages, source_);
     check_domain();
+    check_spacings(case_, keys_.regions, source_);
   }
 
  private:
   static constexpr std::size_t largest_material_count = 255;  // one id means "no material"
+
+  // From here on the path counts from any folder; whether something is there is seen when it is
+  // read (output/checkpoint/start_reader.hpp).
+  void check_start() {
+    if (!source_.good("start.run")) return;
+    std::filesystem::path path = case_.start.run;
+    if (path.is_relative()) path = std::filesystem::path(case_.file).parent_path() / path;
+    std::error_code ignored;
+    case_.start.run = std::filesystem::absolute(path, ignored).lexically_normal().string();
+  }
 
   template <class Spec>
   void check_names(std::vector<Spec> const& specs, std::vector<std::string> const& keys) {

@@ -8,6 +8,7 @@
 
 #include "setup/geometry.hpp"
 #include "setup/parameter.hpp"
+#include "setup/region_lattice.hpp"
 #include "step/simulation.hpp"
 
 namespace moraine {
@@ -35,6 +36,12 @@ std::string search_words(Case const& c) {
   for (std::size_t side = 0; side < side_names.size(); ++side)
     if (c.symmetry.planes[side / 2][side % 2])
       text += fmt::format("; symmetry plane {}", side_names[side]);
+  auto const lattices = lattices_of_regions(c);
+  for (std::size_t i = 0; i < lattices.size(); ++i)
+    if (has_own_lattice(c.regions[i]))
+      text += fmt::format("; h is {:.3g} spacings of {}, {:.4g} m",
+                          c.numerics.smoothing_length() / lattices[i].spacing, c.regions[i].name,
+                          lattices[i].spacing);
   return text;
 }
 
@@ -104,6 +111,9 @@ constexpr std::array<Words, 7> case_words{{
 
 std::string explain_step(Case const& c) {
   std::string text = fmt::format("a time step of {}\n", c.title.empty() ? c.file : c.title);
+  if (!c.start.run.empty())
+    text += fmt::format("starts from {} of {}, time {:.6g} s, step {}\n", c.start.info.checkpoint,
+                        c.start.info.run, c.start.info.time, c.start.info.step);
   int number = 0;
   for (auto const& [label, description] : Simulation::actions()) {
     text += fmt::format("{}. {}: {}\n", ++number, label, description);

@@ -36,7 +36,8 @@ struct RegionCount {
 /// per point, spacing^dimension for the square lattice; but there a Tait liquid with a hydrostatic
 /// level, under gravity along an axis, has the mass of its reference density everywhere and layers
 /// that lie the closer the deeper they are (setup/hydrostatic_layers.hpp). Points closer to a face
-/// than 1e-6 spacings count as on it, so that rounding neither adds nor loses a row.
+/// than 1e-6 spacings count as on it, so that rounding neither adds nor loses a row. Regions with a
+/// lattice of their own (setup/region_lattice.hpp) follow after all others.
 ///
 /// Throws InputErrors for every region without particles, and for every region whose pressure its
 /// material cannot have.
@@ -46,10 +47,13 @@ std::vector<Seed> fill_regions(Case const& c);
 /// regions that get none, and no states are computed.
 std::vector<RegionCount> count_regions(Case const& c);
 
-/// About how many particles fill_regions makes, at a cost that does not depend on the spacing: the
-/// filled volume over that of a particle, with 4096 (1D), 128^2 or 40^3 samples in the box around
-/// each region. Exact up to a layer of particles for boxes that nothing cuts, otherwise within some
-/// per cent of a region's box.
+/// About how many particles fill_regions makes of each region, at a cost that does not depend on
+/// the spacing: the filled volume over that of a particle, with 4096 (1D), 128^2 or 40^3 samples in
+/// the box around each region. Exact up to a layer of particles for boxes that nothing cuts,
+/// otherwise within some per cent of a region's box.
+std::vector<double> estimated_by_region(Case const& c);
+
+/// The sum over all regions.
 double estimated_particles(Case const& c);
 
 }  // namespace moraine

@@ -7,8 +7,6 @@
 #include <map>
 #include <utility>
 
-#include "setup/lattice.hpp"
-
 namespace moraine {
 namespace {
 
@@ -17,11 +15,11 @@ using ColumnPlace = std::array<std::int64_t, 3>;  // lattice indices, 0 along th
 // Lattice coordinates of seeds: which column they are in, and which layer, counted upwards.
 class Layering {
  public:
-  Layering(Case const& c, Vertical vertical)
+  Layering(Case const& c, Lattice const& lattice, Vertical vertical)
       : vertical_(vertical),
         dimension_(static_cast<std::size_t>(c.dimension)),
-        spacing_(c.numerics.spacing),
-        anchor_(lattice_anchor(c)) {}
+        spacing_(lattice.spacing),
+        anchor_(lattice.origin) {}
 
   std::pair<ColumnPlace, std::int64_t> place_of(Seed const& seed) const {
     ColumnPlace place{};
@@ -32,6 +30,7 @@ class Layering {
     return {place, layer};
   }
   double height(Seed const& seed) const { return vertical_.up * seed.position[vertical_.axis]; }
+  double spacing() const { return spacing_; }
 
  private:
   Vertical vertical_;
@@ -66,7 +65,7 @@ bool stand_free(std::vector<Seed> const& seeds, std::span<std::size_t const> lay
   return std::all_of(columns.begin(), columns.end(), [&](auto const& entry) {
     Column const& column = entry.second;
     return column.lowest == floor && column.count == column.highest - column.lowest + 1 &&
-           column.gap < 1.5 * c.numerics.spacing;
+           column.gap < 1.5 * layering.spacing();
   });
 }
 
@@ -83,19 +82,18 @@ std::optional<Vertical> vertical_of(Point const& gravity) {
 }
 
 void compress_layers(std::vector<Seed>& seeds, std::span<std::size_t const> layered, Case const& c,
-                     Vertical vertical) {
-  Layering const layering(c, vertical);
+                     Lattice const& lattice, Vertical vertical) {
+  Layering const layering(c, lattice, vertical);
   if (layered.empty() || !stand_free(seeds, layered, c, layering)) return;
-  double const spacing = c.numerics.spacing;
+  double const spacing = lattice.spacing;
   double const area = std::pow(spacing, c.dimension - 1);  // of a particle seen from above
-  double const volume = std::pow(spacing, c.dimension);
-  std::map<ColumnPlace, double> tops;  // m, filled so far, upwards
+  std::map<ColumnPlace, double> tops;                      // m, filled so far, upwards
   // Along every axis fill_regions goes towards larger coordinates; columns are filled from below.
   for (std::size_t k = 0; k < layered.size(); ++k) {
     Seed& seed = seeds[layered[vertical.up > 0 ? k : layered.size() - 1 - k]];
     double const bottom = layering.height(seed) - 0.5 * spacing;
     double& top = tops.try_emplace(layering.place_of(seed).first, bottom).first->second;
-    seed.mass = reference_density(c.materials[seed.material].eos) * volume;
+    seed.mass = reference_density(c.materials[seed.material].eos) * lattice.volume;
     double const thickness = seed.mass / (seed.density * area);
     seed.position[vertical.axis] = vertical.up * (top + 0.5 * thickness);
     top += thickness;

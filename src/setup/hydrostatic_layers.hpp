@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "setup/fill.hpp"
+#include "setup/lattice.hpp"
 
 namespace moraine {
 
@@ -35,8 +36,9 @@ std::optional<Vertical> vertical_of(Point const& gravity);
 /// different amounts and leave gaps; then nothing is changed, and particles keep their places and
 /// the masses of their densities.
 ///
-/// `seeds` are in the order of fill_regions; `layered` names those that take part, ascending.
+/// `seeds` are in the order of fill_regions; `layered` names those that take part, ascending, all
+/// on the points of one square lattice.
 void compress_layers(std::vector<Seed>& seeds, std::span<std::size_t const> layered, Case const& c,
-                     Vertical vertical);
+                     Lattice const& lattice, Vertical vertical);
 
 }  // namespace moraine

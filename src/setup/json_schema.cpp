@@ -278,6 +278,9 @@ std::string json_schema() {
     put(schema, section.key, section_schema(section), true);
     if (section.needed) require(schema, section.key, true);
   }
+  Json regions = has_key("region");
+  put(regions, "region", Json{{"minItems", 1}}, false);
+  schema["anyOf"] = Json::array({std::move(regions), has_key("start")});
   return schema.dump(2) + '\n';
 }
 

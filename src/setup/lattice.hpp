@@ -19,6 +19,7 @@ struct Lattice {
   Point edge{};              // m, of a cell; 0 beyond the dimension
   std::vector<Point> basis;  // points of a cell in parts of its edges
   double volume = 0.0;       // of a particle: m^d
+  double spacing = 0.0;      // m, edge of a cube of that volume; of a fitted lattice as asked for
 
   /// Distance of layers of points across an axis.
   double layer(std::size_t axis) const { return basis.size() > 1 ? 0.5 * edge[axis] : edge[axis]; }
@@ -32,5 +33,13 @@ Point lattice_anchor(Case const& c);
 /// that a whole number of layers fits into the box that gives the corner, and into the period of a
 /// periodic axis: the box then holds exactly its mass.
 Lattice make_lattice(Case const& c);
+
+/// A lattice of the kind of the case as it is before it is fitted to anything, its corner at the
+/// origin. spacing in m.
+Lattice plain_lattice(Case const& c, double spacing);
+
+/// Stretches a hexagonal lattice along an axis by less than a layer, so that a length [m] takes a
+/// whole number of layers; of pairs of them where rows must repeat themselves.
+void fit_lattice(Lattice& lattice, std::size_t axis, double length, bool pairs);
 
 }  // namespace moraine

@@ -74,6 +74,7 @@ std::vector<Entry<RegionSpec>> make_region_table() {
                                                              .meaning = "name of a material"}));
   add_shape_entries(table, Section::region);
   add_layer_entries(table);
+  add_spacing_entries(table);
   add_initial_state(table);
   add_start_entries(table);
   return table;

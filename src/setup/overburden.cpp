@@ -4,8 +4,17 @@
 #include <cmath>
 
 #include "setup/geometry.hpp"
+#include "setup/region_lattice.hpp"
 
 namespace moraine {
+namespace {
+
+// Regions with lattices of their own have faces between the layers of the case's.
+double parts_of_layer(Case const& c) {
+  return std::any_of(c.regions.begin(), c.regions.end(), has_own_lattice) ? 8.0 : 1.0;
+}
+
+}  // namespace
 
 Overburden::Overburden(Case const& c, Territory const& territory, Lattice const& lattice,
                        Upward upward)
@@ -13,7 +22,7 @@ Overburden::Overburden(Case const& c, Territory const& territory, Lattice const&
       territory_(territory),
       upward_(upward),
       gravity_(length(c.gravity)),
-      layer_(lattice.layer(upward.axis)) {
+      layer_(lattice.layer(upward.axis) / parts_of_layer(c)) {
   Box const range = territory.range();
   double const anchor = upward.height(lattice.origin);
   double const low = upward.height(upward.sign > 0.0 ? range.min : range.max);

@@ -17,11 +17,12 @@ namespace moraine {
 ///
 /// rho the initial density of a region where it is given, else the reference density of the
 /// material. The column is divided into the layers of the lattice, each of the material in its
-/// middle: exact where faces lie between layers, else to half a layer for each face. Without a
-/// strength model this pressure acts to all sides.
+/// middle: exact where faces lie between layers, else to half a layer for each face. Where a region
+/// has a lattice of its own, layers are divided into eight. Without a strength model this pressure
+/// acts to all sides.
 class Overburden {
  public:
-  /// All arguments must outlive the overburden.
+  /// The case and the territory must outlive the overburden; the lattice is that of the case.
   Overburden(Case const& c, Territory const& territory, Lattice const& lattice, Upward upward);
 
   /// The pressure at a place; columns are kept, so that the next place in it costs nothing.

@@ -68,8 +68,8 @@ inline constexpr std::array<SectionInfo, section_count> section_table{{
     {Section::material, "material", Repeat::named, "a material: equation of state and constants",
      true},
     {Section::region, "region", Repeat::list,
-     "particles of one material on the lattice points of a shape; later regions replace earlier",
-     true},
+     "particles of one material on the lattice points of a shape; later regions replace earlier; a "
+     "case that starts from another run needs none"},
     {Section::wall, "wall", Repeat::list,
      "a rigid wall, at rest or moved as prescribed: the faces of a box"},
     {Section::gauge, "gauge", Repeat::list, "something measured during the run"},

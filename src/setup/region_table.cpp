@@ -51,6 +51,24 @@ void add_layer_entries(std::vector<Entry<RegionSpec>>& table) {
        .meaning = "height of the top of the uppermost layer, against gravity"}));
 }
 
+void add_spacing_entries(std::vector<Entry<RegionSpec>>& table) {
+  table.push_back(member<RegionSpec, &RegionSpec::spacing>(
+      {.section = Section::region,
+       .key = "spacing",
+       .quantity = Quantity::length,
+       .preset_note = "resolution.spacing, on the lattice of the case",
+       .limits = Limits::positive(),
+       .meaning = "distance of neighbouring particles on a lattice of this region's own; the "
+                  "smoothing length is that of the case"}));
+  table.push_back(member<RegionSpec, &RegionSpec::equal_mass_with>(
+      {.section = Section::region,
+       .key = "equal_mass_with",
+       .type = ValueType::text,
+       .preset_note = "masses follow from the spacing",
+       .meaning = "name of the region whose particles have the same mass as those of this one: "
+                  "the spacing is that region's times (its density / the density here)^(1/d)"}));
+}
+
 void add_start_entries(std::vector<Entry<RegionSpec>>& table) {
   table.push_back(rotation_entry<&Rotation::rate>(
       {.key = "rotation.rate",

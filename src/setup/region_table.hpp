@@ -14,4 +14,7 @@ void add_layer_entries(std::vector<Entry<RegionSpec>>& table);
 /// Keys of the rotation and of the lithostatic start.
 void add_start_entries(std::vector<Entry<RegionSpec>>& table);
 
+/// Keys of a lattice of the region's own.
+void add_spacing_entries(std::vector<Entry<RegionSpec>>& table);
+
 }  // namespace moraine

@@ -59,11 +59,15 @@ std::string list_text(std::string_view section, std::span<Entry<Spec> const> ent
 
 }  // namespace
 
+std::string material_constants(Case const& c, MaterialSpec const& material) {
+  return table_text(material_entries(), material, c.dimension);
+}
+
 std::string used_case(Case const& c) {
   std::string text = table_text(case_entries(), c, c.dimension);
   for (auto const& material : c.materials)
     text += fmt::format("\n[material.{}]\n{}", header_key(material.name),
-                        table_text(material_entries(), material, c.dimension));
+                        material_constants(c, material));
   text += list_text("region", region_entries(), c.regions, c.dimension);
   text += list_text("wall", wall_entries(), c.walls, c.dimension);
   text += list_text("gauge", gauge_entries(), c.gauges, c.dimension);

@@ -11,4 +11,7 @@ namespace moraine {
 /// it gives the same Case, to the bit, apart from Case::file.
 std::string used_case(Case const& c);
 
+/// The constants of one material as lines of its table there, in the same way.
+std::string material_constants(Case const& c, MaterialSpec const& material);
+
 }  // namespace moraine

@@ -27,6 +27,8 @@ struct Model {
   Symmetry symmetry;
   std::array<double, 3> gravity{};  // m/s^2
   Numerics numerics;
+  /// m, the smallest spacing that fluid particles started with; 0: that of `numerics`.
+  double finest_spacing = 0.0;
   TimeSpec time;
   std::vector<Material> materials;  // by MaterialId
   ParticleStore particles{3};

@@ -47,7 +47,9 @@ SweepParameters sweep_parameters(Model const& model) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     p.hydrostatic_slope[axis] = model.gravity[axis] / (c * c);
   p.volume_continuity = model.numerics.continuity == ContinuityForm::volume;
-  p.contact_gap = 0.25 * model.numerics.spacing;
+  // The first row of the finest particles must stand free of it.
+  double const finest = model.finest_spacing > 0.0 ? model.finest_spacing : model.numerics.spacing;
+  p.contact_gap = 0.25 * std::min(finest, model.numerics.spacing);
   double const lattice_volume = std::pow(model.numerics.spacing, model.dimension);
   auto const set = [&](PairField field, double value) {
     p.uniform[static_cast<std::size_t>(field)] = value;

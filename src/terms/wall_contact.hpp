@@ -7,7 +7,8 @@ namespace moraine {
 
 /// Keeps particles from crossing a wall's face.
 ///
-///   S_ij = c_i^2 / rho_ij min(2, max(0, 1 - gap_i / gap_0)),   gap_0 = a quarter of the spacing
+///   S_ij = c_i^2 / rho_ij min(2, max(0, 1 - gap_i / gap_0)),   gap_0 = a quarter of the finest
+///   spacing
 ///
 /// gap_i is the distance of particle i in front of the face of wall particle j; a first row lies
 /// half a spacing in front. Why it is needed: density by continuity remembers volume. A sheet of

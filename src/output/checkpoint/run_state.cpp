@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "output/checkpoint/hdf5_archive.hpp"
+#include "output/checkpoint/start_reader.hpp"
 #include "setup/build_model.hpp"
 #include "setup/read_case.hpp"
 #include "setup/used_case.hpp"
@@ -15,6 +16,8 @@ namespace {
 // Counts up with every change of what is saved, or of what it means for the steps that follow.
 constexpr std::uint64_t layout = 2;
 
+}  // namespace
+
 void exchange_layout(Archive& archive) {
   std::uint64_t found = layout;
   archive.number("layout", found);
@@ -24,8 +27,6 @@ void exchange_layout(Archive& archive) {
                     "use the version in manifest.json",
                     found, layout));
 }
-
-}  // namespace
 
 void save_run(Archive& archive, Case const& c, Simulation& simulation, RunRecorder& recorder) {
   exchange_layout(archive);
@@ -58,7 +59,9 @@ RestoredRun restore_run(std::filesystem::path const& checkpoint,
     std::string text;
     archive.text("case", text);
     run.c = parse_case(text, (folder / "case.used.toml").string());
+    read_start_copy(run.c, folder);
     run.simulation = std::make_unique<Simulation>(build_model(run.c), archive);
+    run.c.start.particles.reset();
     RecorderState state;
     state.exchange(archive);
     run.recorder = std::make_unique<RunRecorder>(run.c, *run.simulation, folder, threads, state);

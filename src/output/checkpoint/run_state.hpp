@@ -11,6 +11,10 @@
 
 namespace moraine {
 
+/// Saves the number of the layout of checkpoints, or throws std::runtime_error when it is another
+/// one than this program's.
+void exchange_layout(Archive& archive);
+
 /// Saves case, simulation and recorder: all that is needed to go on.
 void save_run(Archive& archive, Case const& c, Simulation& simulation, RunRecorder& recorder);
 

@@ -95,19 +95,23 @@ class Picture {
 
   Color color_of(std::size_t region) const { return line_color(region); }
 
-  bool shows(Look const& look, Vec3 const& point) const {
+  bool shows(Look const& look, Vec3 const& point, double spacing) const {
     if (preview_.dimension < 3) return true;
     double const from = point[look.along] - preview_.at[look.along];
-    return from >= -0.5 * preview_.spacing && from < 0.5 * preview_.spacing;
+    return from >= -0.5 * spacing && from < 0.5 * spacing;
+  }
+
+  double spacing_of(PreviewPart const& part) const {
+    return part.spacing > 0.0 ? part.spacing : preview_.spacing;
   }
 
   void add_dots(std::vector<Dot>& dots, Look const& look, Panel const& panel,
-                std::vector<Vec3> const& points, Color const& color, double unit) const {
+                std::vector<Vec3> const& points, double spacing, Color const& color,
+                double unit) const {
     for (Vec3 const& point : points)
-      if (shows(look, point))
+      if (shows(look, point, spacing))
         dots.push_back({panel.page_x(point[look.across] / unit),
-                        panel.page_y(point[look.up] / unit), overlap * preview_.spacing * to_page_,
-                        color});
+                        panel.page_y(point[look.up] / unit), overlap * spacing * to_page_, color});
   }
 
   void draw_view(Canvas& canvas, Look const& look, double left) const {
@@ -121,9 +125,10 @@ class Picture {
     Panel const panel({left, top_, panel_width(look), y.size() * to_page_}, axis(look.across, x),
                       axis(look.up, y));
     std::vector<Dot> dots;
-    add_dots(dots, look, panel, preview_.walls, wall_color, length.factor);
+    add_dots(dots, look, panel, preview_.walls, preview_.spacing, wall_color, length.factor);
     for (std::size_t i = 0; i < preview_.regions.size(); ++i)
-      add_dots(dots, look, panel, preview_.regions[i].positions, color_of(i), length.factor);
+      add_dots(dots, look, panel, preview_.regions[i].positions, spacing_of(preview_.regions[i]),
+               color_of(i), length.factor);
     draw_dots(canvas, panel.area(), dots);
     draw_probes(canvas, look, panel, length.factor);
     panel.draw_axes(canvas, {true, preview_.dimension > 1},

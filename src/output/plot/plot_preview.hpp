@@ -14,6 +14,7 @@ namespace moraine {
 struct PreviewPart {
   std::string name;
   std::vector<Vec3> positions;  // m
+  double spacing = 0.0;         // m; 0: that of the picture
 };
 
 /// What a picture of a case shows.
@@ -27,9 +28,9 @@ struct Preview {
 };
 
 /// Draws the particles of each part in its colour, walls in grey, probes as crosses with their
-/// names, and a legend with the number of particles. In 3D three slices of one spacing through the
-/// place `at`: across z, across y and across x; probes show in all of them. SVG or PNG by file
-/// ending. Throws std::runtime_error if the file cannot be written.
+/// names, and a legend with the number of particles. In 3D three slices, of each part as thick as
+/// its spacing, through the place `at`: across z, across y and across x; probes show in all of
+/// them. SVG or PNG by file ending. Throws std::runtime_error if the file cannot be written.
 void plot_preview(Preview const& preview, std::filesystem::path const& out);
 
 }  // namespace moraine

@@ -183,7 +183,9 @@ INSTANTIATE_TEST_SUITE_P(
             "leave it out, it is solved for the pressure"},
         Bad{"[[region]]\nname = \"pool\"\nmaterial = \"water\"\n"
             "box = { min = [0, 0], max = [1, 1] }\n",
-            "", "case.toml: region: is missing: a case needs at least one [[region]]"},
+            "",
+            "case.toml: region: is missing: a case needs at least one [[region]]; or a run "
+            "to start from, start.run"},
         Bad{"[[gauge]]", "[[gauge]]\nname = \"probe\"\nposition = [0, 0]\n[[gauge]]",
             "case.toml:24:8: gauge[2].name: \"probe\" is used twice"},
         Bad{"box = {", "disc = { center = [0, 0], radius = 1 }\nbox = {",

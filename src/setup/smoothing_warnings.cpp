@@ -1,0 +1,112 @@
+#include "setup/smoothing_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "setup/parameter.hpp"
+#include "setup/region_lattice.hpp"
+#include "smoothing/kernels.hpp"
+
+namespace moraine {
+namespace {
+
+constexpr std::array<double, 3> fewest{4.0, 12.0, 33.0};
+constexpr std::array<double, 3> usual{5.0, 21.0, 57.0};
+constexpr double most = 4.0;               // times the usual number
+constexpr double inflection_factor = 1.5;  // spacings: h of the cubic spline where pairs form
+
+class SmoothingWarnings {
+ public:
+  SmoothingWarnings(Case const& c, std::vector<InputProblem>& warnings)
+      : case_(c), warnings_(warnings), axes_(static_cast<std::size_t>(c.dimension)) {}
+
+  void find() {
+    look_at_factor();
+    auto const lattices = lattices_of_regions(case_);
+    for (std::size_t i = 0; i < lattices.size(); ++i)
+      if (has_own_lattice(case_.regions[i])) look_at(case_.regions[i], lattices[i]);
+  }
+
+ private:
+  void warn(std::string const& key, std::string rule, std::string hint = {}) {
+    warnings_.push_back(problem_of(case_, key, std::move(rule), std::move(hint)));
+  }
+
+  void look_at_factor() {
+    double const factor = case_.numerics.smoothing_factor;
+    double const neighbours = neighbours_within(kernel_support * factor, case_.dimension);
+    if (neighbours < fewest[axes_ - 1]) {
+      warn("resolution.smoothing_factor", fmt::format("gives {}", neighbour_words(neighbours)));
+      if (warnings_.back().value.empty()) warnings_.back().value = fmt::format("{}", factor);
+    }
+    if (case_.numerics.kernel == KernelName::cubic_spline && factor > inflection_factor)
+      warn("resolution.smoothing_factor", std::string("puts ") + pairing,
+           "at most 1.5, or the kernel wendland_c2");
+  }
+
+  std::string neighbour_words(double neighbours) const {
+    return fmt::format("about {:.2g} neighbours; {:.0f} are usual in {}D", neighbours,
+                       usual[axes_ - 1], axes_);
+  }
+
+  void look_at(RegionSpec const& region, Lattice const& lattice) {
+    std::string const key =
+        "region." + region.name + (region.spacing ? std::string(".spacing") : ".equal_mass_with");
+    double const factor = case_.numerics.smoothing_length() / lattice.spacing;
+    double const neighbours = neighbours_within(kernel_support * factor, case_.dimension);
+    if (neighbours < fewest[axes_ - 1] || neighbours > most * usual[axes_ - 1])
+      warn(key,
+           fmt::format("makes a spacing of {:.4g} m and gives {}: h is {:.3g} of these spacings",
+                       lattice.spacing, neighbour_words(neighbours), factor),
+           neighbours < fewest[axes_ - 1] ? "raise resolution.smoothing_factor"
+                                          : "each particle costs as much more");
+    if (case_.numerics.kernel == KernelName::cubic_spline && factor > inflection_factor)
+      warn(key, fmt::format("makes h {:.3g} of these spacings and puts {}", factor, pairing),
+           "use the kernel wendland_c2");
+    if (std::holds_alternative<Box>(region.shape) && region.plus.empty())
+      look_at_box(region, lattice, key);
+  }
+
+  void look_at_box(RegionSpec const& region, Lattice const& lattice, std::string const& key) {
+    auto const box = filled_box(case_, region);
+    for (std::size_t axis = 0; axis < axes_; ++axis) {
+      double const count = (box->max[axis] - box->min[axis]) / lattice.layer(axis);
+      if (std::abs(count - std::round(count)) < 1e-6) continue;
+      warn(key,
+           fmt::format("makes the box {:.4g} layers long along {}; {:.0f} of them fill it, with "
+                       "{:.2g} % {} mass",
+                       count, axis_names[axis], std::round(count),
+                       100.0 * std::abs(std::round(count) / count - 1.0),
+                       std::round(count) > count ? "more" : "less"),
+           "a box of a whole number of layers has its exact mass");
+    }
+  }
+
+  static constexpr char const* pairing =
+      "neighbours at rest inside the inflection point of the cubic spline, where they may form "
+      "pairs";
+
+  Case const& case_;
+  std::vector<InputProblem>& warnings_;
+  std::size_t axes_;
+};
+
+}  // namespace
+
+double neighbours_within(double reach, int dimension) {
+  if (dimension == 1) return 2.0 * reach;
+  if (dimension == 2) return std::numbers::pi * reach * reach;
+  return 4.0 / 3.0 * std::numbers::pi * reach * reach * reach;
+}
+
+void add_smoothing_warnings(Case const& c, std::vector<InputProblem>& warnings) {
+  SmoothingWarnings(c, warnings).find();
+}
+
+}  // namespace moraine
