@@ -165,9 +165,10 @@ GaugeReader side_reader(Case const&, GaugeSpec const& gauge) {
 GaugeReader budget_reader(Case const&, GaugeSpec const& gauge) {
   std::string const& name = gauge.name;
   auto const read = [](ReadingContext const& at, std::vector<double>& row) {
-    row.insert(row.end(), {at.budget.viscosity(), at.budget.wall_viscosity(),
-                           at.budget.compression(), at.budget.diffusion(),
-                           at.simulation.lost().energy, at.budget.error(at.simulation)});
+    row.insert(row.end(),
+               {at.budget.viscosity(), at.budget.wall_viscosity(), at.budget.compression(),
+                at.budget.diffusion(), at.simulation.lost().energy, at.budget.error(at.simulation),
+                at.simulation.booked().damping, at.simulation.booked().detonation});
     return true;
   };
   return {name,
@@ -176,7 +177,9 @@ GaugeReader budget_reader(Case const&, GaugeSpec const& gauge) {
            {name + " compression", "J"},
            {name + " diffusion", "J"},
            {name + " lost_energy", "J"},
-           {name + " energy_error", "J"}},
+           {name + " energy_error", "J"},
+           {name + " damping", "J"},
+           {name + " detonation", "J"}},
           read};
 }
 

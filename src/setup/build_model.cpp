@@ -59,7 +59,10 @@ void add_walls(Case const& c, Model& model, Members& members) {
       ids.push_back(store.id()[i]);
       set_vector(store, Field::position, i, dummy.position);
       store.scalar(Field::density)[i] = density;
-      WallPoint point{{}, static_cast<float>(dummy.depth), spec.slip == Slip::free};
+      WallPoint point{{},
+                      static_cast<float>(dummy.depth),
+                      spec.slip == Slip::free,
+                      static_cast<float>(wall_clearance(c, spec, dummy))};
       for (std::size_t axis = 0; axis < 3; ++axis)
         point.normal[axis] = static_cast<float>(dummy.normal[axis]);
       model.walls.points.push_back(point);
@@ -133,6 +136,7 @@ Model build_model(Case const& c) {
   model.gravity = c.gravity;
   model.numerics = c.numerics;
   model.time = c.time;
+  model.guards = c.guards;
   for (MaterialSpec const& material : c.materials)
     model.materials.push_back({material.name, material.eos});
   model.particles = ParticleStore(c.dimension);

@@ -18,6 +18,7 @@
 #include "setup/probe_spec.hpp"
 #include "setup/shape/shape.hpp"
 #include "setup/stage_spec.hpp"
+#include "step/guard.hpp"
 #include "step/settings.hpp"
 
 namespace moraine {
@@ -127,6 +128,7 @@ struct Case {
   Numerics numerics;
   TimeSpec time;
   OutputSpec output;
+  GuardSettings guards;
   std::vector<MaterialSpec> materials;
   std::vector<RegionSpec> regions;
   std::vector<WallSpec> walls;

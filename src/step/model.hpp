@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "matter/eos/eos.hpp"
+#include "step/guard.hpp"
 #include "step/settings.hpp"
 #include "step/stages.hpp"
 #include "store/particle_store.hpp"
@@ -26,6 +27,7 @@ struct Model {
   std::array<double, 3> gravity{};  // m/s^2
   Numerics numerics;
   TimeSpec time;
+  GuardSettings guards;
   std::vector<Material> materials;  // by MaterialId
   ParticleStore particles{3};
   WallData walls;

@@ -24,7 +24,10 @@ constexpr std::array action_table{
     Simulation::ActionInfo{"walls", "continue pressure and density into wall particles"},
     Simulation::ActionInfo{"pairs", "sum all pair terms: rates of velocity, density and energy"},
     Simulation::ActionInfo{"kick and check",
-                           "gravity, second half of the step, guard against runaway"},
+                           "gravity, second half of the step, guard against what is no number"},
+    Simulation::ActionInfo{"guards",
+                           "every few steps: density, speed, energy, walls, energy budget; short "
+                           "steps in a row"},
 };
 
 }  // namespace
@@ -40,9 +43,11 @@ Simulation::Simulation(Model model, Unstarted)
       stages_(std::move(model_.stages)) {
   using Run = void (Simulation::*)();
   constexpr std::array<Run, action_table.size()> runs{
-      &Simulation::change_stage,        &Simulation::choose_time_step, &Simulation::kick_and_drift,
-      &Simulation::find_neighbours,     &Simulation::evaluate_matter,  &Simulation::gather,
-      &Simulation::continue_into_walls, &Simulation::sum_pairs,        &Simulation::kick_and_check};
+      &Simulation::change_stage,        &Simulation::choose_time_step,
+      &Simulation::kick_and_drift,      &Simulation::find_neighbours,
+      &Simulation::evaluate_matter,     &Simulation::gather,
+      &Simulation::continue_into_walls, &Simulation::sum_pairs,
+      &Simulation::kick_and_check,      &Simulation::watch};
   for (std::size_t k = 0; k < runs.size(); ++k)
     sequence_.push_back({action_table[k], runs[k], timers_.add(action_table[k].label)});
   model_.particles.shrink();
@@ -67,6 +72,9 @@ void Simulation::save(Archive& archive) { exchange(archive); }
 void Simulation::exchange(Archive& archive) {
   archive.number("time", time_);
   archive.number("step", step_);
+  booked_.exchange(archive);
+  archive.number("booked_energy/damping_power", damping_power_);
+  guards_.exchange(archive, model_);
   stages_.exchange(archive);
   archive.number("time_step/last", vote_.time_step);
   archive.number("time_step/acceleration_limit", acceleration_vote_.time_step);

@@ -28,6 +28,7 @@ struct WallPoint {
   std::array<float, 3> normal;  // into the fluid; zero behind edges and corners
   float depth;                  // m, behind the face of that normal
   bool free_slip;
+  float clearance = 0.0F;  // m, radius of a ball of nothing but solid; 0: not known
 };
 
 /// Constant data of wall particles.

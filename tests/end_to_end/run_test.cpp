@@ -90,7 +90,7 @@ TEST_F(RunCommand, WritesWhatItPromises) {
     files += file.exists() ? 1 : 0;
   EXPECT_EQ(files, frames.size()) << "the collection lists all frames";
   EXPECT_EQ(read_vtp(path("result/walls.vtp")).size, 336u);
-  EXPECT_FALSE(std::filesystem::exists(path("result/unstable.vtp")));
+  EXPECT_FALSE(std::filesystem::exists(path("result/bad")));
 }
 
 // Into a file, progress is whole lines: one at each tenth, no bar that is redrawn.
@@ -160,7 +160,7 @@ TEST_F(RunCommand, UnstableRunNamesTheParticle) {
   std::regex const message(R"(unstable: particle (\d+) \(water\) at \(([^,]+), ([^)]+)\) m: .+; )"
                            R"(time .+ s, step \d+, time step 0.004 s limited by fixed step)");
   ASSERT_TRUE(std::regex_search(result.err, found, message)) << result.err;
-  ParticleFrame const frame = read_vtp(path("result/unstable.vtp"));
+  ParticleFrame const frame = read_vtp(path("result/bad/frame.vtp"));
   auto const& ids = frame.find("id")->values;
   auto const at = std::find(ids.begin(), ids.end(), std::stod(found[1]));
   ASSERT_NE(at, ids.end());
@@ -174,7 +174,7 @@ TEST_F(RunCommand, UnstableRunNamesTheParticle) {
   EXPECT_NE(end.at("reason").get<std::string>().find("unstable: particle " + found[1].str()),
             std::string::npos);
   for (PvdEntry const& frame_entry : read_pvd(path("result/particles.pvd")))
-    EXPECT_EQ(frame_entry.file.find("unstable"), std::string::npos) << "apart from good frames";
+    EXPECT_EQ(frame_entry.file.find("bad"), std::string::npos) << "apart from good frames";
 }
 
 class SignalledRun : public RunCommand, public testing::WithParamInterface<int> {};

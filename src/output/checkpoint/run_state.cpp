@@ -13,7 +13,7 @@ namespace moraine {
 namespace {
 
 // Counts up with every change of what is saved, or of what it means for the steps that follow.
-constexpr std::uint64_t layout = 2;
+constexpr std::uint64_t layout = 3;
 
 void exchange_layout(Archive& archive) {
   std::uint64_t found = layout;
