@@ -74,19 +74,27 @@ std::string kick_words(Case const& c) {
   return text + ") m/s^2";
 }
 
+std::string guard_words(Case const& c) {
+  std::string text = fmt::format("every {} steps", c.guards.interval);
+  for (std::size_t k = 0; k < c.guards.off.size(); ++k)
+    text += fmt::format("{}{}", k == 0 ? "; off: " : ", ", c.guards.off[k]);
+  return text;
+}
+
 struct Words {
   std::string_view label;
   std::string (*text)(Case const&);
 };
 
 // By label of the action; an action without an entry is told by its description alone.
-constexpr std::array<Words, 6> case_words{{
+constexpr std::array<Words, 7> case_words{{
     {"time step", time_step_words},
     {"search", search_words},
     {"matter", matter_words},
     {"walls", wall_words},
     {"pairs", pair_words},
     {"kick and check", kick_words},
+    {"guards", guard_words},
 }};
 
 }  // namespace
