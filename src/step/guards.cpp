@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "smoothing/kernels.hpp"
 #include "step/bad_particles.hpp"
 #include "step/booked_energy.hpp"
 #include "step/guard_findings.hpp"
@@ -66,6 +67,13 @@ Extremes extremes_of(Model const& model, GuardBounds const& bounds, StateRange c
   return reduce_blocks(store.range(Kind::fluid).size(), Extremes{}, in_block, combine);
 }
 
+/// How far a particle may go between two looks at walls [m]: where there are n layers, it is found
+/// at least between 0.8 and n - 0.8 spacings behind a face.
+double longest_way(Numerics const& numerics) {
+  double const layers = std::ceil(kernel_support * numerics.smoothing_factor - 1e-9);
+  return std::max(1.0, layers - 2.0) * numerics.spacing;
+}
+
 std::size_t at(Guard guard) { return static_cast<std::size_t>(guard); }
 
 }  // namespace
@@ -85,7 +93,8 @@ void Guards::begin(Simulation const& simulation) {
 
 void Guards::watch(Simulation const& simulation, double fastest) {
   Model const& model = simulation.model();
-  motion_ += simulation.time_step() * fastest;
+  double const way = simulation.time_step() * fastest;  // in this step, and about in the next
+  motion_ += way;
   count_short_steps(simulation);
   Parts parts{};
   if (simulation.step() % static_cast<std::uint64_t>(model.guards.interval) == 0) {
@@ -96,8 +105,8 @@ void Guards::watch(Simulation const& simulation, double fastest) {
       parts[at(Guard::budget)] = part_in_budget(model, energy);
     }
   }
-  // Nobody passes a wall between two looks: its layers are two spacings thick, or more.
-  if (!(motion_ < model.numerics.spacing) && optional_and_on(model.guards, Guard::walls)) {
+  if (!(motion_ + way < longest_way(model.numerics)) &&
+      optional_and_on(model.guards, Guard::walls)) {
     parts[at(Guard::walls)] = part_in_walls(simulation);
     motion_ = 0.0;
   }
@@ -130,8 +139,9 @@ Guards::Parts Guards::measure(Simulation const& simulation) const {
 
 double Guards::part_in_walls(Simulation const& simulation) const {
   Model const& model = simulation.model();
-  return part_of(deepest_in_walls({model.particles, simulation.search(), model.walls}),
-                 bounds_.wall_depth);
+  double const bound = bounds_.wall_depth;
+  return part_of(deepest_in_walls({model.particles, simulation.search(), model.walls}, bound),
+                 bound);
 }
 
 /// How far the total energy is off what is booked, and the energy that the run has to lose or to

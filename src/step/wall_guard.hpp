@@ -17,7 +17,8 @@ struct WallGuardView {
   WallData const& walls;
 };
 
-/// Largest depth [m] behind a face at which a particle is for sure; 0 where none is in a wall.
+/// Largest depth [m] behind a face at which a particle is for sure; 0 where none is deeper than
+/// `bound` [m].
 ///
 ///   depth_i >= max over wall particles w with |x_i - x_w| < clearance_w of depth_w - |x_i - x_w|
 ///
@@ -25,9 +26,9 @@ struct WallGuardView {
 /// shape, that move or are gone: around each of them there is a ball of solid, and depth changes by
 /// no more than the way. Between two wall particles a particle may be deeper by up to 0.3 spacings
 /// than it says, with three layers or more.
-double deepest_in_walls(WallGuardView const& view);
+double deepest_in_walls(WallGuardView const& view, double bound);
 
-/// The particles deeper than `depth` [m]; their badness is the depth. In the order of the store.
-std::vector<Suspect> deeper_in_walls(WallGuardView const& view, double depth);
+/// The particles deeper than `bound` [m]; their badness is the depth. In the order of the store.
+std::vector<Suspect> deeper_in_walls(WallGuardView const& view, double bound);
 
 }  // namespace moraine

@@ -93,7 +93,8 @@ TEST(WallGuard, LetsWhoPassesOverTheRimOrBehindTheWallPass) {
 TEST(WallGuard, NamesTheDepth) {
   Simulation const simulation(one_particle({-1.5 * spacing, 0.55, 0.0}));
   WallGuardView const view{simulation.particles(), simulation.search(), simulation.model().walls};
-  EXPECT_NEAR(deepest_in_walls(view), 1.5 * spacing, 1e-7) << "a place of a wall particle";
+  EXPECT_NEAR(deepest_in_walls(view, 0.5 * spacing), 1.5 * spacing, 1e-7)
+      << "a place of a wall particle";
   auto const suspects = deeper_in_walls(view, 0.5 * spacing);
   ASSERT_EQ(suspects.size(), 1U);
   EXPECT_NEAR(suspects[0].badness, 1.5 * spacing, 1e-7);
