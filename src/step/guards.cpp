@@ -36,7 +36,9 @@ bool asked_by_the_state(Vote const& vote) {
 }
 
 struct Extremes {
-  double density = 0.0, speed2 = 0.0, energy = 0.0;  // parts; m^2/s^2
+  double density = 0.0;             // part of its bound
+  double speed2 = 0.0;              // m^2/s^2
+  double above = 0.0, below = 0.0;  // J/kg, how far energies are out of the range of the start
 };
 
 Extremes extremes_of(Model const& model, GuardBounds const& bounds, StateRange const& start) {
@@ -44,8 +46,6 @@ Extremes extremes_of(Model const& model, GuardBounds const& bounds, StateRange c
   auto const density = store.scalar(Field::density);
   auto const energy = store.scalar(Field::specific_energy);
   Components const velocity = components_of(store, Field::velocity);
-  double const above = bounds.energy_max - start.energy_max;
-  double const below = start.energy_min - bounds.energy_min;
   auto const in_block = [&](std::size_t begin, std::size_t end) {
     Extremes most;
     for (std::size_t i = begin; i < end; ++i) {
@@ -53,15 +53,16 @@ Extremes extremes_of(Model const& model, GuardBounds const& bounds, StateRange c
       grow(most.density, part_of(density[i], bounds.density_max[m]));
       grow(most.density, part_of(bounds.density_min[m], density[i]));
       grow(most.speed2, square_of(velocity, i));
-      grow(most.energy, part_of(energy[i] - start.energy_max, above));
-      grow(most.energy, part_of(start.energy_min - energy[i], below));
+      grow(most.above, energy[i] - start.energy_max);
+      grow(most.below, start.energy_min - energy[i]);
     }
     return most;
   };
   auto const combine = [](Extremes a, Extremes const& b) {
     grow(a.density, b.density);
     grow(a.speed2, b.speed2);
-    grow(a.energy, b.energy);
+    grow(a.above, b.above);
+    grow(a.below, b.below);
     return a;
   };
   return reduce_blocks(store.range(Kind::fluid).size(), Extremes{}, in_block, combine);
@@ -133,7 +134,10 @@ Guards::Parts Guards::measure(Simulation const& simulation) const {
   Extremes const most = extremes_of(simulation.model(), bounds_, start_);
   if (on(Guard::density)) parts[at(Guard::density)] = most.density;
   if (on(Guard::speed)) parts[at(Guard::speed)] = part_of(std::sqrt(most.speed2), bounds_.speed);
-  if (on(Guard::energy)) parts[at(Guard::energy)] = most.energy;
+  double& energy = parts[at(Guard::energy)];
+  if (!on(Guard::energy)) return parts;
+  grow(energy, part_of(most.above, bounds_.energy_max - start_.energy_max));
+  grow(energy, part_of(most.below, start_.energy_min - bounds_.energy_min));
   return parts;
 }
 
