@@ -55,7 +55,9 @@ void check_start_is_elsewhere(Case const& c, std::filesystem::path const& folder
 /// The simulation with its first rates; a start that no law can answer is a mistake of the case.
 Simulation started(Case const& c) {
   try {
-    return Simulation(build_model(c));
+    Simulation simulation(build_model(c));
+    simulation.check();
+    return simulation;
   } catch (SimulationError const& error) {
     throw InputErrors(
         {{c.file, 0, 0, "region", "", fmt::format("at the start: {}", error.what()), ""}});

@@ -58,7 +58,9 @@ class Saver {
     double const interval = run_.c.output.checkpoint_interval;
     if (interval > 0.0 && seconds_since(last_) >= interval) save();
   }
+  /// Guards look first, so that what is kept is a good state.
   void save() {
+    run_.simulation.check();
     ScopedTimer const timing(timers_, timer_);
     run_.recorder.sync();
     checkpoints_.save(run_.simulation.step(), [&](Archive& archive) {
@@ -105,11 +107,13 @@ void say_end(Run const& run, Timers const& saving, std::string const& reason, do
 }
 
 /// What is left to do when the run cannot go on: tell why, and keep what there is.
-int give_up(Run const& run, std::string const& reason, double seconds, ExitCode code) {
+int give_up(Run const& run, std::string const& reason, std::vector<Flag> const& flags,
+            double seconds, ExitCode code) {
   fmt::print(stderr, "{}\n", reason);
   try {
-    auto const snapshot = run.recorder.give_up(run.simulation, reason, seconds);
-    fmt::print(stderr, "the particles as they were: {}\n", snapshot.string());
+    auto const snapshot = run.recorder.give_up(run.simulation, reason, flags, seconds);
+    fmt::print(stderr, "the particles as they were: {}{}\n", snapshot.string(),
+               flags.empty() ? "" : "; the array \"guard\" flags who is named");
   } catch (std::exception const& error) {
     fmt::print(stderr, "nor could the particles be written: {}\n", error.what());
   }
@@ -169,6 +173,8 @@ int run_to_end(Run const& run) {
   auto const start = Clock::now();
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
+  run.simulation.on_new_rates(
+      [&run](Simulation const& simulation) { run.recorder.tell_new_rates(simulation); });
   Saver saver(run);
   Progress progress;
   auto const stopped_at = [&](std::exception const& error) {
@@ -186,13 +192,13 @@ int run_to_end(Run const& run) {
     return stopped ? ExitCode::interrupted : ExitCode::done;
   } catch (SimulationError const& error) {
     progress.finish();
-    return give_up(run, error.what(), seconds_since(start), ExitCode::unstable);
+    return give_up(run, error.what(), error.flags(), seconds_since(start), ExitCode::unstable);
   } catch (OutputError const& error) {
     progress.finish();
-    return give_up(run, stopped_at(error), seconds_since(start), ExitCode::not_written);
+    return give_up(run, stopped_at(error), {}, seconds_since(start), ExitCode::not_written);
   } catch (std::exception const& error) {  // no memory: not the physics
     progress.finish();
-    return give_up(run, stopped_at(error), seconds_since(start), ExitCode::failed);
+    return give_up(run, stopped_at(error), {}, seconds_since(start), ExitCode::failed);
   }
 }
 

@@ -5,8 +5,8 @@
 namespace moraine {
 namespace {
 
-double energy_with_lost(Simulation const& simulation) {
-  return simulation.sums().total_energy() + simulation.lost().energy;
+double balance(Simulation const& simulation) {
+  return energy_balance(simulation.sums(), simulation.lost(), simulation.booked());
 }
 
 /// Rate of the internal energy of all particles [W].
@@ -35,7 +35,7 @@ EnergyBudget::Amounts EnergyBudget::rates(Simulation const& simulation) {
 void EnergyBudget::tell(Simulation const& simulation) {
   Amounts const now = rates(simulation);
   if (told_++ == 0) {
-    start_ = energy_with_lost(simulation);
+    start_ = balance(simulation);
   } else {
     double const half = 0.5 * simulation.time_step();
     done_.viscosity += half * (last_.viscosity + now.viscosity);
@@ -46,8 +46,10 @@ void EnergyBudget::tell(Simulation const& simulation) {
   last_ = now;
 }
 
+void EnergyBudget::tell_new_rates(Simulation const& simulation) { last_ = rates(simulation); }
+
 double EnergyBudget::error(Simulation const& simulation) const {
-  return energy_with_lost(simulation) - start_ - simulation.wall_work();
+  return balance(simulation) - start_;
 }
 
 void EnergyBudget::exchange(Archive& archive) {

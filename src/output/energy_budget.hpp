@@ -10,12 +10,12 @@ namespace moraine {
 ///
 /// Every rate P is integrated as the step integrates the energy equation, dt/2 (P^n + P^n+1). While
 /// nothing leaves the domain the change of internal energy is therefore, to rounding,
-///   compression + viscosity + wall_viscosity,
+///   compression + viscosity + wall_viscosity + detonation,
 /// in each step and for any step length. The total of kinetic, internal, potential and lost energy
-/// changes by the work of moving walls, to second order in the time step only; `error` is what is
-/// missing. `diffusion` is no part of the balance: density diffusion changes densities, hence the
-/// elastic energy that the equation of state would give back, and the energy equation does not know
-/// it; see docs/probes.md.
+/// less what moving walls, damping and detonation gave, is conserved to second order in the time
+/// step only; `error` is what is missing. `diffusion` is no part of the balance:
+/// density diffusion changes densities, hence the elastic energy that the equation of state would
+/// give back, and the energy equation does not know it; see docs/probes.md.
 ///
 /// Costs another loop over all pairs in each step, nearly as long as the sweep.
 class EnergyBudget {
@@ -23,12 +23,16 @@ class EnergyBudget {
   /// Call at the start and after each step.
   void tell(Simulation const& simulation);
 
+  /// Call when a stage has begun and the rates of its first state are there: the next step goes on
+  /// with those.
+  void tell_new_rates(Simulation const& simulation);
+
   double viscosity() const { return done_.viscosity; }
   double wall_viscosity() const { return done_.wall_viscosity; }
   double compression() const { return done_.compression; }
   double diffusion() const { return done_.diffusion; }
-  /// Kinetic + internal + potential + lost energy now, less that at the start and the work of
-  /// walls.
+  /// Kinetic + internal + potential + lost energy now, less that at the start and what
+  /// walls and stages have given since (Simulation::booked).
   double error(Simulation const& simulation) const;
 
   void exchange(Archive& archive);

@@ -173,8 +173,9 @@ GaugeReader budget_reader(Case const&, GaugeSpec const& gauge) {
     Symmetry const& planes = at.simulation.model().symmetry;
     for (double const amount :
          {at.budget.viscosity(), at.budget.wall_viscosity(), at.budget.compression(),
-          at.budget.diffusion(), at.simulation.wall_work(), at.simulation.lost().energy,
-          at.budget.error(at.simulation)})
+          at.budget.diffusion(), at.simulation.booked().walls, at.simulation.lost().energy,
+          at.budget.error(at.simulation), at.simulation.booked().damping,
+          at.simulation.booked().detonation})
       row.push_back(planes.whole(amount));
     return true;
   };
@@ -185,7 +186,9 @@ GaugeReader budget_reader(Case const&, GaugeSpec const& gauge) {
            {name + " diffusion", "J"},
            {name + " wall_work", "J"},
            {name + " lost_energy", "J"},
-           {name + " energy_error", "J"}},
+           {name + " energy_error", "J"},
+           {name + " damping", "J"},
+           {name + " detonation", "J"}},
           read};
 }
 

@@ -62,6 +62,10 @@ void ProbeRecorder::tell(Simulation const& simulation) {
   if (envelope_) envelope_->tell(simulation.particles(), simulation.time());
 }
 
+void ProbeRecorder::tell_new_rates(Simulation const& simulation) {
+  if (reads_budget_) budget_.tell_new_rates(simulation);
+}
+
 std::vector<double> ProbeRecorder::read(Simulation const& simulation) {
   // A restored run has no pairs before its first step.
   loads_.clear();

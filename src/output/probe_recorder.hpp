@@ -30,6 +30,9 @@ class ProbeRecorder {
   /// Call at the start and after each step, before reading.
   void tell(Simulation const& simulation);
 
+  /// Call when a stage has begun and its first rates are there.
+  void tell_new_rates(Simulation const& simulation);
+
   /// A row of readings. Readings of one time must be taken once: they enter the summary.
   std::vector<double> read(Simulation const& simulation);
 

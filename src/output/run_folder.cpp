@@ -8,6 +8,7 @@
 #include <system_error>
 #include <vector>
 
+#include "output/bad_frame.hpp"
 #include "output/checkpoint/checkpoints.hpp"
 #include "output/output_error.hpp"
 #include "output/plot/plot.hpp"
@@ -66,7 +67,7 @@ void drop_frames(std::filesystem::path const& folder, std::size_t first) {
   });
   if (first == 0) std::filesystem::remove(folder / "walls.pvd");
   remove_ours(folder / "plots", is_picture_of_run);
-  std::filesystem::remove(folder / "unstable.vtp");
+  drop_bad_frame(folder);
 }
 
 }  // namespace moraine

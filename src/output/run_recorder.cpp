@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "output/atomic_file.hpp"
+#include "output/bad_frame.hpp"
 #include "output/run_folder.hpp"
 #include "output/vtp_writer.hpp"
 #include "setup/used_case.hpp"
@@ -29,7 +30,10 @@ std::vector<TableColumn> sums_columns() {
           {"mass", "kg"},
           {"particles", ""},
           {"lost_particles", ""},
-          {"time_step", "s"}};
+          {"time_step", "s"},
+          {"lost_energy", "J"},
+          {"damping_work", "J"},
+          {"detonation_energy", "J"}};
 }
 
 template <class Name>
@@ -183,11 +187,10 @@ void RunRecorder::finish(Simulation const& simulation, std::string const& reason
 }
 
 std::filesystem::path RunRecorder::give_up(Simulation const& simulation, std::string const& reason,
-                                           double wall_time) {
-  auto const snapshot = folder_ / "unstable.vtp";
-  write_vtp(snapshot, simulation.particles(), Kind::fluid, simulation.time());
+                                           std::vector<Flag> const& flags, double wall_time) {
+  auto const frame = write_bad_frame(folder_, simulation, flags);
   write_end(simulation, reason, wall_time);
-  return snapshot;
+  return frame;
 }
 
 void RunRecorder::tell_probes(Simulation const& simulation) {
@@ -247,11 +250,14 @@ void RunRecorder::write_sums(Simulation const& simulation) {
                        impulse[0],
                        impulse[1],
                        impulse[2],
-                       planes.whole(simulation.wall_work()),
+                       planes.whole(simulation.booked().walls),
                        planes.whole(s.mass),
                        static_cast<double>(simulation.particles().range(Kind::fluid).size()),
                        static_cast<double>(simulation.lost().count),
-                       simulation.time_step()};
+                       simulation.time_step(),
+                       planes.whole(simulation.lost().energy),
+                       planes.whole(simulation.booked().damping),
+                       planes.whole(simulation.booked().detonation)};
   sums_.add(row);
 }
 

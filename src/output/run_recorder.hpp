@@ -13,6 +13,7 @@
 #include "output/table_csv.hpp"
 #include "setup/case.hpp"
 #include "step/simulation.hpp"
+#include "step/simulation_error.hpp"
 
 namespace moraine {
 
@@ -74,9 +75,12 @@ class RunRecorder {
   void finish(Simulation const& simulation, std::string const& reason, double wall_time);
 
   /// Writes the end of a run that broke down into the manifest, and its particles apart from the
-  /// good frames, to unstable.vtp, whose path it returns.
+  /// good frames, with culprits flagged (bad_frame.hpp). Returns the path of that frame.
   std::filesystem::path give_up(Simulation const& simulation, std::string const& reason,
-                                double wall_time);
+                                std::vector<Flag> const& flags, double wall_time);
+
+  /// Call when a stage has begun and its first rates are there (Simulation::on_new_rates).
+  void tell_new_rates(Simulation const& simulation) { probes_.tell_new_rates(simulation); }
 
   /// Time spent on writing, by label.
   Timers const& timers() const { return timers_; }

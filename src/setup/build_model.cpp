@@ -86,7 +86,11 @@ void add_walls(Case const& c, Model& model, Members& members) {
       ids.push_back(store.id()[i]);
       set_vector(store, Field::position, i, dummy.position);
       store.scalar(Field::density)[i] = density;
-      WallPoint point{{}, static_cast<float>(dummy.depth), spec.slip == Slip::free, body};
+      WallPoint point{{},
+                      static_cast<float>(dummy.depth),
+                      spec.slip == Slip::free,
+                      static_cast<float>(wall_clearance(c, spec, dummy)),
+                      body};
       for (std::size_t axis = 0; axis < 3; ++axis)
         point.normal[axis] = static_cast<float>(dummy.normal[axis]);
       model.walls.points.push_back(point);
@@ -169,6 +173,7 @@ Model build_model(Case const& c) {
   if (!c.start.run.empty())
     model.finest_spacing = std::min(model.finest_spacing, c.start.info.finest_spacing);
   model.time = c.time;
+  model.guards = c.guards;
   for (MaterialSpec const& material : c.materials)
     model.materials.push_back({material.name, material.eos});
   model.particles = ParticleStore(c.dimension);

@@ -20,6 +20,7 @@
 #include "setup/shape/shape.hpp"
 #include "setup/stage_spec.hpp"
 #include "setup/start_state.hpp"
+#include "step/guard.hpp"
 #include "step/settings.hpp"
 #include "surface/symmetry.hpp"
 
@@ -137,6 +138,7 @@ struct Case {
   StartSpec start;
   TimeSpec time;
   OutputSpec output;
+  GuardSettings guards;
   std::vector<MaterialSpec> materials;
   std::vector<RegionSpec> regions;
   std::vector<WallSpec> walls;

@@ -2,6 +2,7 @@
 #include <limits>
 #include <vector>
 
+#include "setup/guard_table.hpp"
 #include "setup/parameter_table.hpp"
 
 namespace moraine {
@@ -212,6 +213,7 @@ std::vector<Entry<Case>> make_table() {
   add_start(table);
   add_time(table);
   add_output(table);
+  add_guards(table);
   return table;
 }
 

@@ -91,6 +91,13 @@ std::string kick_words(Case const& c) {
   return text + ") m/s^2";
 }
 
+std::string guard_words(Case const& c) {
+  std::string text = fmt::format("every {} steps", c.guards.interval);
+  for (std::size_t k = 0; k < c.guards.off.size(); ++k)
+    text += fmt::format("{}{}", k == 0 ? "; off: " : ", ", c.guards.off[k]);
+  return text;
+}
+
 struct Words {
   std::string_view label;
   std::string (*text)(Case const&);
@@ -105,6 +112,7 @@ constexpr std::array<Words, 7> case_words{{
     {"walls", wall_words},
     {"pairs", pair_words},
     {"kick and check", kick_words},
+    {"guards", guard_words},
 }};
 
 }  // namespace

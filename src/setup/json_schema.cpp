@@ -66,6 +66,7 @@ Json value_schema(Parameter const& parameter) {
     case ValueType::sides:
       return list_of(name_schema(side_names));
     case ValueType::texts:
+      if (!parameter.names.empty()) return list_of(name_schema(parameter.names));
       return list_of(Json{{"type", "string"}, {"minLength", 1}});
     case ValueType::corners: {
       Json corner = list_of(number_schema(parameter));

@@ -25,7 +25,7 @@ enum class ValueType : std::uint8_t {
   axes,       // a list of axis names; those of the case's dimension are valid
   side,       // one of the side names, "x-" ... "z+"
   sides,      // a list of side names
-  texts,      // a list of texts, none of them empty
+  texts,      // a list of texts, none of them empty; of `names` where there are any
   corners,    // a list of pairs of such numbers, whatever the dimension
   shapes,     // a list of tables, each with the keys of shape_entries(); read and written apart
   shape_key,  // not a key itself: exactly one of the keys `names` must be present in the table
@@ -93,7 +93,8 @@ struct Parameter {
   Value preset{};                  // default; monostate: none
   std::string_view preset_note{};  // how an absent value is found, where it is no constant
   Limits limits{};
-  std::vector<std::string_view> names{};  // of a choice; in the order of the enum that it sets
+  std::vector<std::string_view>
+      names{};  // of a choice, in the order of the enum that it sets; of texts
   // The key exists only where the choice or shape key `when_key` has the value `when_value`.
   std::string_view when_key{};
   std::string_view when_value{};

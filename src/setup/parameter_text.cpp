@@ -114,7 +114,8 @@ std::string range_text(Parameter const& parameter) {
     case ValueType::sides:
       return "a list of " + quoted_list(side_names) + ", as far as the dimension goes";
     case ValueType::texts:
-      return "a list of texts that are not empty";
+      return parameter.names.empty() ? "a list of texts that are not empty"
+                                     : "a list of " + quoted_list(parameter.names);
     case ValueType::corners:
       return "a list of pairs, each " + number_range(parameter);
     case ValueType::shapes:
@@ -149,7 +150,8 @@ std::string example_value(Parameter const& parameter) {
     case ValueType::sides:
       return "[\"y+\"]";
     case ValueType::texts:
-      return "[\"sand\", \"clay\"]";
+      return parameter.names.empty() ? "[\"sand\", \"clay\"]"
+                                     : fmt::format("[\"{}\"]", parameter.names.front());
     case ValueType::corners: {
       std::string const number = example_real(parameter);
       return fmt::format("[[0, 0], [{0}, 0], [0, {0}]]", number);

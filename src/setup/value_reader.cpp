@@ -173,9 +173,18 @@ class ValueReader {
     if (list == nullptr) return wrong_kind(node, "a list of texts");
     std::vector<std::string> values;
     for (auto const& item : *list)
-      if (auto value = text(item)) values.push_back(*std::move(value));
+      if (auto value = text(item); value && known(*value, item))
+        values.push_back(*std::move(value));
     if (values.size() != list->size()) return std::nullopt;
     return values;
+  }
+
+  /// Where a list has names, its texts are some of them.
+  bool known(std::string const& value, toml::node const& node) {
+    auto const& valid = parameter_.names;
+    if (valid.empty() || std::find(valid.begin(), valid.end(), value) != valid.end()) return true;
+    wrong(node, "is not a known name", name_hint(value, valid));
+    return false;
   }
 
   std::optional<std::vector<double>> corners(toml::node const& node) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "smoothing/kernels.hpp"
+#include "walls/clearance.hpp"
 
 namespace moraine {
 namespace {
@@ -34,6 +35,10 @@ BoxWall box_wall(Case const& c, WallSpec const& spec) {
   return wall;
 }
 
+int layers_of(Case const& c) {
+  return static_cast<int>(std::ceil(kernel_support * c.numerics.smoothing_factor - 1e-9));
+}
+
 /// The place of the wall's faces that is nearest to a dummy; of several the one on its own face.
 Vec3 nearest_place(Case const& c, WallSpec const& wall, Dummy const& dummy) {
   Vec3 place = dummy.position;
@@ -57,9 +62,11 @@ bool is_member(Case const& c, WallSpec const& wall, ProbeSpec const& probe, Dumm
 }  // namespace
 
 std::vector<Dummy> make_wall_dummies(Case const& c, WallSpec const& wall, std::uint32_t surface) {
-  int const layers =
-      static_cast<int>(std::ceil(kernel_support * c.numerics.smoothing_factor - 1e-9));
-  return make_dummy_layer(box_wall(c, wall), c.numerics.spacing, layers, surface);
+  return make_dummy_layer(box_wall(c, wall), c.numerics.spacing, layers_of(c), surface);
+}
+
+double wall_clearance(Case const& c, WallSpec const& wall, Dummy const& dummy) {
+  return clearance(box_wall(c, wall), layers_of(c) * c.numerics.spacing, dummy);
 }
 
 std::vector<std::uint8_t> wall_members(Case const& c, GaugeSpec const& gauge) {

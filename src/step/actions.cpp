@@ -6,26 +6,11 @@
 #include <limits>
 
 #include "base/parallel_for.hpp"
+#include "step/bad_particles.hpp"
 #include "step/simulation.hpp"
-#include "step/simulation_error.hpp"
-#include "step/simulation_setup.hpp"
 
 namespace moraine {
 namespace {
-
-constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-
-/// Lowest index for which a particle is bad; `none` when all are good.
-template <class Bad>
-std::size_t first_bad(std::size_t count, Bad&& bad) {
-  auto const in_block = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (bad(i)) return i;
-    return none;
-  };
-  return reduce_blocks(count, none, in_block,
-                       [](std::size_t a, std::size_t b) { return std::min(a, b); });
-}
 
 /// A largest value and where it is; the first that is not a number stays.
 struct Largest {
@@ -39,39 +24,24 @@ struct Largest {
   }
 };
 
-using Components = std::array<std::span<double const>, 3>;
-
-Components components_of(ParticleStore const& store, Field field) {
-  Components result;
-  for (int axis = 0; axis < store.dimension(); ++axis)
-    result[static_cast<std::size_t>(axis)] = store.component(field, axis);
-  return result;
-}
-
-double square_of(Components const& vector, std::size_t i) {
-  double sum = 0.0;
-  for (auto const& component : vector)
-    if (!component.empty()) sum += component[i] * component[i];
-  return sum;
-}
-
 }  // namespace
 
 void Simulation::choose_time_step() {
   TimeSpec const& spec = model_.time;
   double const h = model_.numerics.smoothing_length();
-  Vote vote{spec.courant * h / swept_.signal_speed, "sound and viscosity",
+  Vote vote{spec.courant * h / swept_.signal_speed, sound_limit,
             model_.particles.id()[swept_.particle]};
   vote = stricter(vote, acceleration_vote_);
   vote = stricter(vote, motion_vote_);
   vote = stricter(vote, vote_of_walls());
   if (stages_.damping() > 0.0)
-    vote = stricter(vote, {0.5 / stages_.damping(), "damping", Vote::nobody});
-  if (spec.fixed_step > 0.0) vote = {spec.fixed_step, "fixed step", Vote::nobody};
-  vote = stricter(vote, {spec.max_step, "largest step", Vote::nobody});
+    vote = stricter(vote, {0.5 / stages_.damping(), damping_limit, Vote::nobody});
+  if (spec.fixed_step > 0.0) vote = {spec.fixed_step, fixed_limit, Vote::nobody};
+  vote = stricter(vote, {spec.max_step, largest_limit, Vote::nobody});
   vote = stricter(vote, {spec.end - time_, end_of_run, Vote::nobody});
   vote_ = vote;
   if (!(time_ + vote.time_step > time_)) fail_to_advance();
+  guards_.note(vote);
 }
 
 void Simulation::kick_and_drift() {
@@ -104,67 +74,14 @@ void Simulation::kick_and_drift() {
   };
   std::size_t const bad = reduce_blocks(
       count, none, advance, [](std::size_t a, std::size_t b) { return std::min(a, b); });
-  if (bad != none)
-    fail(bad,
-         fmt::format("it moves {:.4g} m in one step, farther than the smoothing length {:.4g} m",
-                     dt * std::sqrt(square_of(velocity, bad)), h));
-}
-
-void Simulation::remove_lost() {
-  ParticleStore& store = model_.particles;
-  std::size_t const count = store.range(Kind::fluid).size();
-  auto const axes = static_cast<std::size_t>(model_.dimension);
-  Components const position = components_of(store, Field::position);
-  Components const velocity = components_of(store, Field::velocity);
-  // The side that a particle is farthest beyond; `none` inside of the domain.
-  auto const side_passed = [&](std::size_t i) {
-    std::size_t side = none;
-    double farthest = 0.0;
-    for (std::size_t k = 0; k < axes; ++k) {
-      if (model_.periodic[k]) continue;
-      // Beyond a symmetry plane a particle has changed places with its image.
-      auto const& plane = model_.symmetry.planes[k];
-      double const below = plane[0] ? 0.0 : model_.domain_min[k] - position[k][i];
-      double const above = plane[1] ? 0.0 : position[k][i] - model_.domain_max[k];
-      if (std::max(below, above) <= farthest) continue;
-      farthest = std::max(below, above);
-      side = 2 * k + (above > below ? 1 : 0);
-    }
-    return side;
-  };
-  auto const add = [&](std::size_t begin, std::size_t end) {
-    LostThroughSides lost{};
-    for (std::size_t i = begin; i < end; ++i) {
-      std::size_t const side = side_passed(i);
-      if (side == none) continue;
-      double specific = store.scalar(Field::specific_energy)[i] + 0.5 * square_of(velocity, i);
-      for (std::size_t k = 0; k < axes; ++k) specific -= model_.gravity[k] * position[k][i];
-      double const mass = store.scalar(Field::mass)[i];
-      lost[side].add({1, mass, mass * specific});
-    }
-    return lost;
-  };
-  auto const combine = [](LostThroughSides a, LostThroughSides const& b) {
-    for (std::size_t side = 0; side < a.size(); ++side) a[side].add(b[side]);
-    return a;
-  };
-  std::size_t const bad = first_bad(count, [&](std::size_t i) {
-    for (std::size_t k = 0; k < axes; ++k)
-      if (!std::isfinite(position[k][i])) return true;
-    return false;
-  });
-  if (bad != none) fail(bad, "its position is not a finite number");
-  LostThroughSides const lost = reduce_blocks(count, LostThroughSides{}, add, combine);
-  if (std::none_of(lost.begin(), lost.end(), [](auto const& side) { return side.count > 0; }))
-    return;
-  lost_ = combine(lost_, lost);
-  leaving_.clear();
-  for (std::size_t i = 0; i < count; ++i)
-    if (side_passed(i) != none) leaving_.push_back(static_cast<std::uint32_t>(i));
-  store.remove(leaving_);
-  if (store.range(Kind::fluid).size() == 0)
-    throw SimulationError(
-        fmt::format("all particles have left the domain; time {:.6g} s, step {}", time_, step_));
+  booked_.damping += 0.5 * dt * damping_power_;
+  if (bad == none) return;
+  auto const far = [&](std::size_t i) { return !(square_of(velocity, i) <= fastest2); };
+  fail({Guard::motion, all_bad(count, far), [&](std::size_t i) {
+          return fmt::format(
+              "it moves {:.4g} m in one step, farther than the smoothing length {:.4g} m",
+              dt * std::sqrt(square_of(velocity, i)), h);
+        }});
 }
 
 void Simulation::sort_by_material() {
@@ -207,12 +124,14 @@ void Simulation::evaluate_matter() {
         model_.materials[m].eos);
   }
   std::size_t const count = store.range(Kind::fluid).size();
-  std::size_t const bad = first_bad(count, [&](std::size_t i) { return !(sound_speed[i] >= 0.0); });
-  if (bad != none)
-    fail(bad,
-         fmt::format("the equation of state gives no sound speed (c^2 < 0) at density {} kg/m^3, "
-                     "specific energy {} J/kg",
-                     density[bad], energy[bad]));
+  auto const silent = [&](std::size_t i) { return !(sound_speed[i] >= 0.0); };
+  if (first_bad(count, silent) == none) return;
+  fail({Guard::state, all_bad(count, silent), [&](std::size_t i) {
+          return fmt::format(
+              "the equation of state gives no sound speed (c^2 < 0) at density {} kg/m^3, "
+              "specific energy {} J/kg",
+              density[i], energy[i]);
+        }});
 }
 
 void Simulation::kick_and_check() {
@@ -233,6 +152,12 @@ void Simulation::kick_and_check() {
     acceleration[static_cast<std::size_t>(axis)] = store.component(Field::acceleration, axis);
     velocity[static_cast<std::size_t>(axis)] = store.component(Field::velocity, axis);
   }
+  auto const is_state = [&](std::size_t i) {
+    double sum = density[i] + energy[i];
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(model_.dimension); ++axis)
+      sum += velocity[axis][i] * velocity[axis][i] + acceleration[axis][i] * acceleration[axis][i];
+    return std::isfinite(sum) && density[i] > 0.0;
+  };
   auto const kick = [&](std::size_t begin, std::size_t end) {
     Outcome outcome;
     for (std::size_t i = begin; i < end; ++i) {
@@ -250,9 +175,7 @@ void Simulation::kick_and_check() {
       }
       outcome.acceleration2.include(acceleration2, i);
       outcome.speed2.include(velocity2, i);
-      bool const good =
-          std::isfinite(density[i] + energy[i] + velocity2 + acceleration2) && density[i] > 0.0;
-      if (!good && outcome.bad == none) outcome.bad = i;
+      if (outcome.bad == none && !is_state(i)) outcome.bad = i;
     }
     return outcome;
   };
@@ -264,43 +187,21 @@ void Simulation::kick_and_check() {
   };
   Outcome const outcome = reduce_blocks(count, Outcome{}, kick, combine);
   if (outcome.bad != none)
-    fail(outcome.bad, density[outcome.bad] > 0.0
-                          ? "its velocity, density, energy or acceleration is not a finite number"
-                          : "its density is not positive");
+    fail({Guard::finite, all_bad(count, [&](std::size_t i) { return !is_state(i); }),
+          [&](std::size_t i) {
+            return density[i] > 0.0
+                       ? "its velocity, density, energy or acceleration is not a finite number"
+                       : "its density is not positive";
+          }});
+  damp(half);
   double const h = model_.numerics.smoothing_length();
   auto const id = store.id();
   acceleration_vote_ = {model_.time.courant * std::sqrt(h / std::sqrt(outcome.acceleration2.value)),
                         acceleration_limit, id[outcome.acceleration2.particle]};
-  motion_vote_ = {longest_motion * h / std::sqrt(outcome.speed2.value), motion_limit,
-                  id[outcome.speed2.particle]};
+  fastest_ = std::sqrt(outcome.speed2.value);
+  motion_vote_ = {longest_motion * h / fastest_, motion_limit, id[outcome.speed2.particle]};
   for (std::size_t axis = 0; axis < 3; ++axis)
     wall_impulse_[axis] += swept_.wall_force[axis] * vote_.time_step;
-}
-
-void Simulation::fail(std::size_t particle, std::string const& cause) const {
-  ParticleStore const& store = model_.particles;
-  std::string place;
-  for (int axis = 0; axis < model_.dimension; ++axis)
-    place += fmt::format("{}{:.6g}", axis == 0 ? "" : ", ",
-                         store.component(Field::position, axis)[particle]);
-  std::string const who =
-      vote_.particle == Vote::nobody ? "" : fmt::format(" of particle {}", vote_.particle);
-  throw SimulationError(
-      fmt::format("unstable: particle {} ({}) at ({}) m: {}; time {:.6g} s, step {}, time step "
-                  "{:.3g} s limited by {}{}",
-                  store.id()[particle], model_.materials[store.material()[particle]].name, place,
-                  cause, time_, step_, vote_.time_step, vote_.reason, who));
-}
-
-void Simulation::fail_to_advance() const {
-  std::string const cause = fmt::format("a time step of {} s ({}) does not move the clock",
-                                        vote_.time_step, vote_.reason);
-  if (vote_.particle != Vote::nobody) {
-    auto const id = model_.particles.id();
-    fail(static_cast<std::size_t>(std::find(id.begin(), id.end(), vote_.particle) - id.begin()),
-         cause);
-  }
-  throw SimulationError(fmt::format("{}; time {:.6g} s, step {}", cause, time_, step_));
 }
 
 ConservedSums Simulation::sums() const {

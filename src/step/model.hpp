@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "matter/eos/eos.hpp"
+#include "step/guard.hpp"
 #include "step/settings.hpp"
 #include "step/stages.hpp"
 #include "store/particle_store.hpp"
@@ -30,6 +31,7 @@ struct Model {
   /// m, the smallest spacing that fluid particles started with; 0: that of `numerics`.
   double finest_spacing = 0.0;
   TimeSpec time;
+  GuardSettings guards;
   std::vector<Material> materials;  // by MaterialId
   ParticleStore particles{3};
   WallData walls;

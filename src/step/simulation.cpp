@@ -25,7 +25,10 @@ constexpr std::array action_table{
     Simulation::ActionInfo{"walls", "continue pressure and density into wall particles"},
     Simulation::ActionInfo{"pairs", "sum all pair terms: rates of velocity, density and energy"},
     Simulation::ActionInfo{"kick and check",
-                           "gravity, second half of the step, guard against runaway"},
+                           "gravity, second half of the step, guard against what is no number"},
+    Simulation::ActionInfo{"guards",
+                           "every few steps: density, speed, energy, walls, energy budget; short "
+                           "steps in a row"},
 };
 
 }  // namespace
@@ -44,7 +47,7 @@ Simulation::Simulation(Model model, Unstarted)
       &Simulation::change_stage,  &Simulation::choose_time_step,    &Simulation::kick_and_drift,
       &Simulation::move_walls,    &Simulation::find_neighbours,     &Simulation::evaluate_matter,
       &Simulation::gather,        &Simulation::continue_into_walls, &Simulation::sum_pairs,
-      &Simulation::kick_and_check};
+      &Simulation::kick_and_check, &Simulation::watch};
   for (std::size_t k = 0; k < runs.size(); ++k)
     sequence_.push_back({action_table[k], runs[k], timers_.add(action_table[k].label)});
   model_.particles.shrink();
@@ -70,6 +73,9 @@ void Simulation::save(Archive& archive) { exchange(archive); }
 void Simulation::exchange(Archive& archive) {
   archive.number("time", time_);
   archive.number("step", step_);
+  booked_.exchange(archive);
+  archive.number("booked_energy/damping_power", damping_power_);
+  guards_.exchange(archive, model_);
   stages_.exchange(archive);
   archive.number("time_step/last", vote_.time_step);
   archive.number("time_step/acceleration_limit", acceleration_vote_.time_step);
@@ -88,7 +94,6 @@ void Simulation::exchange(Archive& archive) {
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
     archive.number(fmt::format("wall_impulse_{}", "xyz"[axis]), wall_impulse_[axis]);
-  archive.number("wall_work", wall_work_);
   archive.number("wall_power", swept_.wall_power);
   model_.particles.exchange(archive);
   search_.exchange(archive, model_.particles);
@@ -137,7 +142,7 @@ LostParticles Simulation::lost() const {
 void Simulation::sum_pairs() {
   double const power_before = swept_.wall_power;
   swept_ = pairs_->sweep(model_.particles, search_);
-  wall_work_ += 0.5 * vote_.time_step * (power_before + swept_.wall_power);
+  booked_.walls += 0.5 * vote_.time_step * (power_before + swept_.wall_power);
 }
 
 std::size_t Simulation::bytes() const {

@@ -12,6 +12,8 @@
 #include "base/archive.hpp"
 #include "base/timer.hpp"
 #include "search/search.hpp"
+#include "step/booked_energy.hpp"
+#include "step/guards.hpp"
 #include "step/model.hpp"
 #include "step/time_step.hpp"
 
@@ -65,9 +67,18 @@ class Simulation {
 
   bool running() const { return time_ < model_.time.end; }
 
-  /// One step; throws SimulationError when a particle's state stops being a number, its equation of
-  /// state fails, it moves farther than its smoothing length, or the clock cannot move any more.
+  /// One step; throws SimulationError when a guard stops the run (docs/guards.md).
   void advance();
+
+  /// Lets all optional guards look now, whether or not a look is due: before a state is kept as a
+  /// good one. Throws SimulationError.
+  void check() const { guards_.look(*this); }
+
+  /// Calls `call` whenever a stage has begun and the rates of its first state are there: whoever
+  /// integrates rates must know those that a step began with.
+  void on_new_rates(std::function<void(Simulation const&)> call) {
+    on_new_rates_ = std::move(call);
+  }
 
   double time() const { return time_; }  // s
   std::uint64_t step() const { return step_; }
@@ -79,13 +90,12 @@ class Simulation {
   PairBackend const& pairs() const { return *pairs_; }
   LostParticles lost() const;  // through all sides
   LostThroughSides const& lost_through() const { return lost_; }
+  BookedEnergy const& booked() const { return booked_; }
+  Guards const& guards() const { return guards_; }
   /// The stages that have begun so far.
   std::vector<StageEvent> const& stage_events() const { return stages_.events(); }
   std::size_t stages_to_come() const { return stages_.to_come(); }
   ConservedSums sums() const;  // of the domain; see Model::symmetry for the whole
-  /// Work of moving walls on the fluid since the start [J], integrated as the step integrates
-  /// energies.
-  double wall_work() const { return wall_work_; }
   Timers const& timers() const { return timers_; }
 
   /// Memory of the particle data, lists and records, in bytes.
@@ -126,10 +136,13 @@ class Simulation {
   void continue_into_walls();
   void sum_pairs();
   void kick_and_check();
+  void watch();
 
   void sort_by_material();
   Vote vote_of_walls() const;
-  [[noreturn]] void fail(std::size_t particle, std::string const& cause) const;
+  double speed_of_walls() const;
+  void damp(double half);
+  [[noreturn]] void fail(Finding finding) const;
   [[noreturn]] void fail_to_advance() const;
   double predict_by() const { return 0.5 * half_step_factor_ * vote_.time_step; }
 
@@ -146,7 +159,11 @@ class Simulation {
   LostThroughSides lost_{};
   std::vector<std::uint32_t> leaving_;  // indices, while lost particles are removed
   std::array<double, 3> wall_impulse_{};
-  double wall_work_ = 0.0;
+  Guards guards_;
+  BookedEnergy booked_;
+  double damping_power_ = 0.0;  // W, at the last rates
+  double fastest_ = 0.0;        // m/s, speed at the end of a step
+  std::function<void(Simulation const&)> on_new_rates_;
   double time_ = 0.0;
   double half_step_factor_ = 0.0;  // 0 while rates are evaluated anew, else 1
   std::uint64_t step_ = 0;

@@ -8,9 +8,6 @@
 
 namespace moraine {
 
-/// Vote of the end of the run on the last step.
-inline constexpr char const* end_of_run = "end of run";
-
 SearchSettings search_settings(Model const& model);
 SweepParameters sweep_parameters(Model const& model);
 std::vector<double> reference_densities(Model const& model);

@@ -14,6 +14,7 @@ void Simulation::change_stage() {
   stages_.begin_next(time_, step_, std::move(cause));
   begin_stage();
   evaluate_rates();
+  if (on_new_rates_) on_new_rates_(*this);
 }
 
 void Simulation::begin_stage() {
@@ -41,8 +42,10 @@ void Simulation::transform(Transformation const& change) {
   Range const fluid = store.range(Kind::fluid);
   for (std::size_t i = fluid.begin; i < fluid.end; ++i) {
     if (!std::binary_search(change.ids.begin(), change.ids.end(), store.id()[i])) continue;
+    double& energy = store.scalar(Field::specific_energy)[i];
+    booked_.detonation += store.scalar(Field::mass)[i] * (change.specific_energy - energy);
     store.set_material(i, change.material);
-    store.scalar(Field::specific_energy)[i] = change.specific_energy;
+    energy = change.specific_energy;
   }
 }
 

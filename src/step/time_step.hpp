@@ -8,9 +8,23 @@
 
 namespace moraine {
 
-// Reasons of votes that outlive a step, and so a checkpoint.
+// Reasons of votes.
+inline constexpr std::string_view sound_limit = "sound and viscosity";
 inline constexpr std::string_view acceleration_limit = "acceleration";
 inline constexpr std::string_view motion_limit = "motion";
+inline constexpr std::string_view damping_limit = "damping";
+inline constexpr std::string_view fixed_limit = "fixed step";
+inline constexpr std::string_view largest_limit = "largest step";
+inline constexpr std::string_view end_of_run = "end of run";
+
+/// The reason with these words, as text that lives as long as the program: votes that come from a
+/// checkpoint. "nothing" for words that are no reason.
+inline std::string_view kept_reason(std::string_view words) {
+  for (std::string_view const reason : {sound_limit, acceleration_limit, motion_limit,
+                                        damping_limit, fixed_limit, largest_limit, end_of_run})
+    if (words == reason) return reason;
+  return "nothing";
+}
 
 // Share of the smoothing length that a voted step may carry a particle or a wall.
 inline constexpr double longest_motion = 0.5;

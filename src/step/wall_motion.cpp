@@ -1,6 +1,7 @@
 // Walls that move as prescribed.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/parallel_for.hpp"
@@ -20,6 +21,14 @@ Vote Simulation::vote_of_walls() const {
                            "acceleration of a wall", Vote::nobody});
   }
   return vote;
+}
+
+/// No wall is faster [m/s].
+double Simulation::speed_of_walls() const {
+  double fastest = 0.0;
+  for (MovingWall const& wall : model_.walls.bodies)
+    fastest = std::max(fastest, wall.state.largest_speed(wall.radius));
+  return fastest;
 }
 
 void Simulation::move_walls() {

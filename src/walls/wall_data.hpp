@@ -19,6 +19,7 @@ struct WallPoint {
   std::array<float, 3> normal;  // into the fluid, before any motion; zero behind edges and corners
   float depth;                  // m, behind the face of that normal
   bool free_slip;
+  float clearance = 0.0F;        // m, radius of a ball of nothing but solid; 0: not known
   std::uint16_t body = at_rest;  // which of WallData::bodies it belongs to
 };
 

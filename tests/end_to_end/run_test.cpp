@@ -90,7 +90,7 @@ TEST_F(RunCommand, WritesWhatItPromises) {
     files += file.exists() ? 1 : 0;
   EXPECT_EQ(files, frames.size()) << "the collection lists all frames";
   EXPECT_EQ(read_vtp(path("result/walls.vtp")).size, 336u);
-  EXPECT_FALSE(std::filesystem::exists(path("result/unstable.vtp")));
+  EXPECT_FALSE(std::filesystem::exists(path("result/bad")));
 }
 
 // Into a file, progress is whole lines: one at each tenth, no bar that is redrawn.
@@ -160,7 +160,7 @@ TEST_F(RunCommand, UnstableRunNamesTheParticle) {
   std::regex const message(R"(unstable: particle (\d+) \(water\) at \(([^,]+), ([^)]+)\) m: .+; )"
                            R"(time .+ s, step \d+, time step 0.004 s limited by fixed step)");
   ASSERT_TRUE(std::regex_search(result.err, found, message)) << result.err;
-  ParticleFrame const frame = read_vtp(path("result/unstable.vtp"));
+  ParticleFrame const frame = read_vtp(path("result/bad/frame.vtp"));
   auto const& ids = frame.find("id")->values;
   auto const at = std::find(ids.begin(), ids.end(), std::stod(found[1]));
   ASSERT_NE(at, ids.end());
@@ -170,11 +170,26 @@ TEST_F(RunCommand, UnstableRunNamesTheParticle) {
     // Six digits in the message, single precision in the frame.
     EXPECT_NEAR(frame.points.values[3 * k + axis], place, 1e-5 * std::fabs(place));
   }
+  // The frame flags whoever is named, and no more than are counted: guard 3 is that of motion.
+  auto const& flags = frame.find("guard")->values;
+  EXPECT_EQ(flags[k], 3.0);
+  std::smatch more;
+  std::regex const also("\n  also particle ");
+  std::regex const counted(R"(\n  and (\d+) more)");
+  auto told = 1 + std::distance(std::sregex_iterator(result.err.begin(), result.err.end(), also),
+                                std::sregex_iterator());
+  if (std::regex_search(result.err, more, counted)) told += std::stol(more[1]);
+  EXPECT_EQ(std::count(flags.begin(), flags.end(), 3.0), told);
+  EXPECT_EQ(std::count(flags.begin(), flags.end(), 0.0) + told, 150);
+  for (char const* const part : {"guard: motion", "last time steps: ", "last good state: ",
+                                 "bad/frame.vtp", "moraine resume result"})
+    EXPECT_NE(result.err.find(part), std::string::npos) << part << " in\n" << result.err;
+  EXPECT_EQ(read_vtp(path("result/bad/walls.vtp")).size, 336u);
   auto const end = manifest().at("end");
   EXPECT_NE(end.at("reason").get<std::string>().find("unstable: particle " + found[1].str()),
             std::string::npos);
   for (PvdEntry const& frame_entry : read_pvd(path("result/particles.pvd")))
-    EXPECT_EQ(frame_entry.file.find("unstable"), std::string::npos) << "apart from good frames";
+    EXPECT_EQ(frame_entry.file.find("bad"), std::string::npos) << "apart from good frames";
 }
 
 class SignalledRun : public RunCommand, public testing::WithParamInterface<int> {};

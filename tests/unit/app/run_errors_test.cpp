@@ -101,7 +101,7 @@ TEST_F(Program, WritesWhatItHasWhenTheRunBreaksDown) {
   Ending const ending = moraine("run a.toml -o out");
   EXPECT_EQ(ending.code, 3) << ending.text;
   EXPECT_NE(ending.text.find("farther than the smoothing length"), std::string::npos);
-  EXPECT_TRUE(std::filesystem::exists(path("out/unstable.vtp")));
+  EXPECT_TRUE(std::filesystem::exists(path("out/bad/frame.vtp")));
   EXPECT_NE(bytes_of(path("out/manifest.json")).find("farther than"), std::string::npos);
 }
 

@@ -148,8 +148,16 @@ TEST_F(Recorder, KeepsABrokenStateApart) {
   Simulation const simulation(build_model(c));
   make_run_folder(folder());
   RunRecorder recorder(c, simulation, folder(), 1);
-  EXPECT_EQ(recorder.give_up(simulation, "unstable: ...", 0.0), folder() / "unstable.vtp");
-  EXPECT_EQ(read_vtp(folder() / "unstable.vtp").size, 10u);
+  EXPECT_EQ(recorder.give_up(simulation, "unstable: ...", {{3, 2}, {7, 5}}, 0.0),
+            folder() / "bad/frame.vtp");
+  auto const frame = read_vtp(folder() / "bad/frame.vtp");
+  ASSERT_EQ(frame.size, 10u);
+  for (std::size_t k = 0; k < frame.size; ++k) {
+    double const id = frame.find("id")->values[k];
+    EXPECT_EQ(frame.find("guard")->values[k], id == 3.0 ? 2.0 : id == 7.0 ? 5.0 : 0.0);
+  }
+  EXPECT_EQ(read_vtp(folder() / "bad/walls.vtp").size,
+            simulation.particles().range(Kind::wall).size());
   EXPECT_EQ(frames(), 1u);
   auto const manifest = nlohmann::json::parse(bytes_of(folder() / "manifest.json"));
   EXPECT_EQ(manifest.at("end").at("reason"), "unstable: ...");
@@ -159,14 +167,15 @@ TEST_F(Recorder, KeepsABrokenStateApart) {
 // of others stay.
 TEST_F(Recorder, ClearsAnEarlierRun) {
   std::filesystem::create_directories(folder() / "frames");
-  for (char const* const name :
-       {"frames/particles_000007.vtp", "unstable.vtp", "walls.vtp", "notes.txt", "frames/mine.vtp"})
+  std::filesystem::create_directories(folder() / "bad");
+  for (char const* const name : {"frames/particles_000007.vtp", "bad/frame.vtp", "bad/walls.vtp",
+                                 "walls.vtp", "notes.txt", "frames/mine.vtp"})
     write(folder() / name, "x");
   Case const c = small("", false);
   Simulation const simulation(build_model(c));
   make_run_folder(folder());
   RunRecorder const recorder(c, simulation, folder(), 1);
-  for (char const* const name : {"frames/particles_000007.vtp", "unstable.vtp", "walls.vtp"})
+  for (char const* const name : {"frames/particles_000007.vtp", "bad", "walls.vtp"})
     EXPECT_FALSE(std::filesystem::exists(folder() / name)) << name;
   for (char const* const name : {"notes.txt", "frames/mine.vtp"})
     EXPECT_EQ(bytes_of(folder() / name), "x") << name;
