@@ -12,7 +12,7 @@ using namespace moraine;
 
 namespace {
 
-constexpr double most_bytes = 64e6;       // a machine small enough for the limit to be met often
+constexpr double most_bytes = 64e6;        // a machine small enough for the limit to be met often
 constexpr double most_particles = 4000.0;  // more take long and show nothing else
 
 fuzzing::Folder const& folder() {
