@@ -9,7 +9,7 @@ namespace moraine {
 struct CaseSize {
   double fluid = 0.0;
   double walls = 0.0;
-  double bytes = 0.0;
+  double bytes = 0.0;  // of the run and of a checkpoint while it is written
   double particles() const { return fluid + walls; }
 };
 

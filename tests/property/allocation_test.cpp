@@ -34,6 +34,10 @@ REPLACED void* operator new(std::size_t size) { return counted(size, alignof(std
 REPLACED void* operator new(std::size_t size, std::align_val_t alignment) {
   return counted(size, static_cast<std::size_t>(alignment));
 }
+// The standard one would come to those above; the address sanitizer's does not.
+REPLACED void* operator new(std::size_t size, std::nothrow_t const&) noexcept {
+  return counted(size, alignof(std::max_align_t));
+}
 REPLACED void operator delete(void* memory) noexcept { std::free(memory); }
 REPLACED void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 REPLACED void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }

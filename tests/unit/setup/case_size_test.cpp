@@ -57,15 +57,15 @@ TEST(CaseSize, SeesDiscsAndWhatCoversOtherRegions) {
 }
 
 TEST(CaseSize, RefusesWhatDoesNotFit) {
-  Case const c = basin(2, 0.01);  // 10 000 fluid and 1200 wall particles, 4.256 MB
-  EXPECT_NO_THROW(check_size(c, 4.3e6));
+  Case const c = basin(2, 0.01);  // 10 000 fluid and 1200 wall particles, 5.6224 MB
+  EXPECT_NO_THROW(check_size(c, 5.7e6));
   try {
-    check_size(c, 4.2e6);
+    check_size(c, 5.6e6);
     FAIL() << "accepted";
   } catch (InputErrors const& errors) {
     EXPECT_STREQ(errors.what(),
                  "case.toml: resolution.spacing: makes about 1.1e+04 particles, which need about "
-                 "0.00426 GB of memory; this machine has 0.0042 GB; a spacing of 0.02 m fits");
+                 "0.00562 GB of memory; this machine has 0.0056 GB; a spacing of 0.02 m fits");
   }
 }
 
@@ -81,7 +81,7 @@ TEST(CaseSize, RefusesWhatCannotBeCounted) {
   } catch (InputErrors const& errors) {
     std::string const text = errors.what();
     EXPECT_EQ(text.find("case.toml:4:11: resolution.spacing: \"100 nm\" makes about 1e+21 "
-                        "particles, which need about 5.1e+14 GB of memory; at most 2147483647 "
+                        "particles, which need about 6.61e+14 GB of memory; at most 2147483647 "
                         "particles are possible; a spacing of "),
               0U)
         << text;
