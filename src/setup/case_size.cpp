@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "setup/fill.hpp"
+#include "setup/geometry.hpp"
 
 namespace moraine {
 namespace {
@@ -34,6 +35,28 @@ double wall_particles(Case const& c, WallSpec const& wall) {
     for (bool const open : wall.open[axis]) sum += open ? 0.0 : side;
   }
   return sum;
+}
+
+// Lattice points between the outermost regions: each is asked for its owner.
+double points_to_ask(Case const& c) {
+  auto const regions = box_around_regions(c);
+  Box const range = regions ? common(c.domain, *regions) : c.domain;
+  double points = 1.0;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(c.dimension); ++axis)
+    points *= std::max(range.max[axis] - range.min[axis], 0.0) / c.numerics.spacing;
+  return points;
+}
+
+void check_extent(Case const& c) {
+  constexpr double most_points = 10.0 * most_particles;  // minutes
+  double const points = points_to_ask(c);
+  if (points <= most_points) return;
+  throw InputErrors({problem_of(
+      c, "resolution.spacing",
+      fmt::format("lays about {:.2g} places for particles across the regions; at most {:.2g} are "
+                  "possible, filled or not",
+                  points, most_points),
+      "bring the regions closer together, or take a coarser spacing")});
 }
 
 double size_for(Case const& c, double spacing) {
@@ -71,7 +94,7 @@ double machine_memory() {
 void check_size(Case const& c, double memory) {
   CaseSize const size = estimate_size(c);
   bool const countable = size.particles() <= most_particles;
-  if (countable && size.bytes <= memory) return;
+  if (countable && size.bytes <= memory) return check_extent(c);
   double const most = std::min(most_particles, memory / size.bytes * size.particles());
   std::string const limit =
       countable ? fmt::format("this machine has {:.3g} GB", memory / 1e9)

@@ -20,7 +20,8 @@ CaseSize estimate_size(Case const& c);
 double machine_memory();
 
 /// Throws InputErrors at the key resolution.spacing for a case of more particles than indices can
-/// count, or that needs more than `memory` bytes; says which spacing would fit.
+/// count, or that needs more than `memory` bytes; says which spacing would fit. Regions so far
+/// apart that the places between them cannot be counted through are refused too.
 void check_size(Case const& c, double memory = machine_memory());
 
 }  // namespace moraine

@@ -69,6 +69,25 @@ TEST(CaseSize, RefusesWhatDoesNotFit) {
   }
 }
 
+// Few particles, but filling would ask 1e12 places.
+TEST(CaseSize, RefusesRegionsTooFarApart) {
+  Case c = basin(2, 0.01);
+  c.walls.clear();
+  c.regions[0].plus = {{Disc{{9999.9, 9999.9, 0.0}, 0.1}, {}, {}}};
+  c.domain = *default_domain(c);
+  try {
+    check_size(c, 1e9);
+    FAIL() << "accepted";
+  } catch (InputErrors const& errors) {
+    EXPECT_NE(std::string(errors.what()).find("about 1e+12 places for particles"),
+              std::string::npos)
+        << errors.what();
+  }
+  c.regions[0].plus = {{Disc{{99.9, 99.9, 0.0}, 0.1}, {}, {}}};
+  c.domain = *default_domain(c);
+  EXPECT_NO_THROW(check_size(c, 1e9));
+}
+
 // At once, with place and value, however fine: filling would take years.
 TEST(CaseSize, RefusesWhatCannotBeCounted) {
   try {
