@@ -28,18 +28,33 @@ elseif(MORAINE_ARCH)
   list(APPEND moraine_options "-march=${MORAINE_ARCH}")
 endif()
 
-set(moraine_link_options "")
-if(MORAINE_SANITIZE)
-  list(APPEND moraine_options -fsanitize=address,undefined -fno-sanitize-recover=all
+set(moraine_sanitizers "")
+if(MORAINE_FUZZ)
+  # Conversions of numbers that do not fit are no part of "undefined" and are what input provokes.
+  set(moraine_sanitizers -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow)
+elseif(MORAINE_SANITIZE STREQUAL "address")
+  set(moraine_sanitizers -fsanitize=address,undefined)
+elseif(MORAINE_SANITIZE STREQUAL "thread")
+  set(moraine_sanitizers -fsanitize=thread)
+elseif(MORAINE_SANITIZE)
+  message(FATAL_ERROR "MORAINE_SANITIZE is ${MORAINE_SANITIZE}: address, thread or nothing")
+endif()
+set(moraine_link_options ${moraine_sanitizers})
+if(moraine_sanitizers)
+  list(APPEND moraine_options ${moraine_sanitizers} -fno-sanitize-recover=all
     -fno-omit-frame-pointer)
-  list(APPEND moraine_link_options -fsanitize=address,undefined)
 endif()
 
 set(moraine_warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion
   -Wnon-virtual-dtor -Woverloaded-virtual)
-# False alarms of GCC 12 inside its own headers: string concatenation (GCC bug 105651), AVX-512
-# intrinsics (105593).
-list(APPEND moraine_warnings -Wno-restrict -Wno-maybe-uninitialized -Wno-uninitialized)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # False alarms of GCC 12 inside its own headers: string concatenation (GCC bug 105651), AVX-512
+  # intrinsics (105593).
+  list(APPEND moraine_warnings -Wno-restrict -Wno-maybe-uninitialized -Wno-uninitialized)
+else()
+  # Clang counts conversions of signs, which GCC does not in C++.
+  list(APPEND moraine_warnings -Wno-sign-conversion)
+endif()
 if(MORAINE_WERROR)
   list(APPEND moraine_warnings -Werror)
 endif()

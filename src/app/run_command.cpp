@@ -6,12 +6,16 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <system_error>
+#include <utility>
 
 #include "app/commands.hpp"
 #include "app/run_loop.hpp"
 #include "base/input_error.hpp"
 #include "output/checkpoint/start_reader.hpp"
+#include "output/output_error.hpp"
 #include "output/run_folder.hpp"
+#include "output/run_lock.hpp"
 #include "setup/build_model.hpp"
 #include "setup/read_case.hpp"
 #include "step/simulation_error.hpp"
@@ -27,19 +31,22 @@ std::string default_output(std::string const& case_file) {
   return "out/" + name;
 }
 
+[[noreturn]] void refuse_output(std::filesystem::path const& folder, std::string rule) {
+  throw InputErrors({{"moraine run", 0, 0, "--output", fmt::format("\"{}\"", folder.string()),
+                      std::move(rule), "choose another folder with --output"}});
+}
+
 /// Refuses a folder for results that cannot be one, or that holds others, before anything is
 /// computed.
 void check_output(std::filesystem::path const& folder, bool force) {
-  auto const refuse = [&](std::string rule) {
-    throw InputErrors({{"moraine run", 0, 0, "--output", fmt::format("\"{}\"", folder.string()),
-                        std::move(rule), "choose another folder with --output"}});
-  };
+  auto const refuse = [&](std::string rule) { refuse_output(folder, std::move(rule)); };
   std::filesystem::path place = std::filesystem::absolute(folder);
   while (!std::filesystem::exists(place) && place.has_relative_path()) place = place.parent_path();
   if (!std::filesystem::is_directory(place))
     refuse(fmt::format("cannot be a folder: \"{}\" is a file", place.string()));
   if (access(place.c_str(), W_OK | X_OK) != 0)
     refuse(fmt::format("cannot be written: {}", std::strerror(errno)));
+  if (RunLock::is_held(folder)) refuse("belongs to a run that is still going on");
   if (holds_a_run(folder) && !force)
     refuse("holds the results of a run; --force replaces them, moraine resume goes on with them");
 }
@@ -50,6 +57,18 @@ void check_start_is_elsewhere(Case const& c, std::filesystem::path const& folder
   if (!c.start.run.empty() && std::filesystem::equivalent(c.start.run, folder, ignored))
     throw InputErrors({problem_of(c, "start.run", "is the folder of this run's own results",
                                   "choose another folder with --output")});
+}
+
+/// The folder, made if needed, with the right to write into it.
+RunLock locked_folder(std::filesystem::path const& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw OutputError(
+        fmt::format("cannot make the folder '{}': {}", folder.string(), error.message()));
+  auto lock = RunLock::take(folder);
+  if (!lock) refuse_output(folder, "belongs to a run that is still going on");
+  return std::move(*lock);
 }
 
 /// The simulation with its first rates; a start that no law can answer is a mistake of the case.
@@ -77,6 +96,7 @@ int run_case(RunOptions const& options) {
   check_start_is_elsewhere(c, output);
 
   Simulation simulation = started(c);
+  RunLock const lock = locked_folder(output);
   make_run_folder(output);
   write_start_copy(c, output);
   c.start.particles.reset();

@@ -63,9 +63,8 @@ class Saver {
     run_.simulation.check();
     ScopedTimer const timing(timers_, timer_);
     run_.recorder.sync();
-    checkpoints_.save(run_.simulation.step(), [&](Archive& archive) {
-      save_run(archive, run_.c, run_.simulation, run_.recorder);
-    });
+    checkpoints_.save(run_.simulation.step(),
+                      [&](Archive& archive) { save_run(archive, run_.simulation, run_.recorder); });
     last_ = Clock::now();
   }
   Timers const& timers() const { return timers_; }

@@ -59,7 +59,15 @@ struct Simd {
   MORAINE_FORMULA T operator[](std::size_t lane) const { return v[lane]; }
 
   MORAINE_FORMULA friend Simd operator+(Simd a, Simd b) { return a.v + b.v; }
-  MORAINE_FORMULA friend Simd operator-(Simd a, Simd b) { return a.v - b.v; }
+  /// Integers wrap around: places in fixed point do so across a periodic side, on purpose.
+  MORAINE_FORMULA friend Simd operator-(Simd a, Simd b) {
+    if constexpr (std::is_integral_v<T>) {
+      using Unsigned = typename detail::VectorOf<std::make_unsigned_t<T>, W>::type;
+      return (Vector)((Unsigned)a.v - (Unsigned)b.v);
+    } else {
+      return a.v - b.v;
+    }
+  }
   MORAINE_FORMULA friend Simd operator*(Simd a, Simd b) { return a.v * b.v; }
   MORAINE_FORMULA friend Simd operator/(Simd a, Simd b) { return a.v / b.v; }
   MORAINE_FORMULA friend Simd operator-(Simd a) { return -a.v; }

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "output/output_error.hpp"
 
@@ -58,6 +59,22 @@ void publish(std::filesystem::path const& temporary, std::filesystem::path const
   sync_to_disk(temporary);
   rename_to(temporary, path);
   sync_to_disk(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."));
+}
+
+void remove_file(std::filesystem::path const& path) {
+  std::error_code error;
+  std::filesystem::remove(path, error);
+  if (error) throw OutputError("cannot remove '" + path.string() + "': " + error.message());
+}
+
+void remove_files(std::filesystem::path const& folder,
+                  std::function<bool(std::string const&)> const& ours) {
+  std::vector<std::filesystem::path> old;
+  std::error_code none;
+  for (std::filesystem::directory_iterator entry(folder, none), end; !none && entry != end;
+       entry.increment(none))
+    if (ours(entry->path().filename().string())) old.push_back(entry->path());
+  for (auto const& file : old) remove_file(file);
 }
 
 AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)), temporary_(path_) {

@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <ostream>
 #include <span>
+#include <string>
 
 namespace moraine {
 
@@ -18,6 +20,14 @@ void sync_to_disk(std::filesystem::path const& path);
 /// Renames a finished file so that after a loss of power there is the old file or the whole new
 /// one: content first, then name, then folder are handed to the disk. Throws OutputError.
 void publish(std::filesystem::path const& temporary, std::filesystem::path const& path);
+
+/// Removes a file, if it is there. Throws OutputError naming the path.
+void remove_file(std::filesystem::path const& path);
+
+/// Removes the files of a folder whose names are `ours`; a folder that is not there has none.
+/// Throws OutputError naming the file that stays.
+void remove_files(std::filesystem::path const& folder,
+                  std::function<bool(std::string const&)> const& ours);
 
 /// Writes to `<path>.tmp` and renames it to `path` on commit, so that a reader (or a killed run)
 /// never meets half a file. Missing parent folders are made. Without commit the temporary file is

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "output/atomic_file.hpp"
 #include "output/vtp_writer.hpp"
 
 namespace moraine {
@@ -35,8 +36,8 @@ std::filesystem::path write_bad_frame(std::filesystem::path const& folder,
 }
 
 void drop_bad_frame(std::filesystem::path const& folder) {
-  std::filesystem::remove(frame_of(folder));
-  std::filesystem::remove(walls_of(folder));
+  remove_file(frame_of(folder));
+  remove_file(walls_of(folder));
   std::error_code not_empty;  // files of others stay
   std::filesystem::remove(folder / "bad", not_empty);
 }

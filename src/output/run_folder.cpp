@@ -6,28 +6,15 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <system_error>
-#include <vector>
 
+#include "output/atomic_file.hpp"
 #include "output/bad_frame.hpp"
 #include "output/checkpoint/checkpoints.hpp"
+#include "output/kept_files.hpp"
 #include "output/output_error.hpp"
 #include "output/plot/plot.hpp"
 
 namespace moraine {
-namespace {
-
-/// Removes the files of a folder whose names are `ours`.
-template <class Ours>
-void remove_ours(std::filesystem::path const& folder, Ours&& ours) {
-  std::vector<std::filesystem::path> old;
-  std::error_code none;
-  for (auto const& entry : std::filesystem::directory_iterator(folder, none))
-    if (ours(entry.path().filename().string())) old.push_back(entry.path());
-  for (auto const& file : old) std::filesystem::remove(file);
-}
-
-}  // namespace
-
 bool holds_a_run(std::filesystem::path const& folder) {
   return std::filesystem::exists(folder / "manifest.json");
 }
@@ -35,7 +22,7 @@ bool holds_a_run(std::filesystem::path const& folder) {
 bool has_written_its_end(std::filesystem::path const& folder) {
   std::ifstream file(folder / "manifest.json");
   auto const manifest = nlohmann::json::parse(file, nullptr, false);
-  return manifest.is_object() && manifest.value("state", "") == "ended";
+  return manifest.is_object() && manifest.contains("state") && manifest["state"] == "ended";
 }
 
 void make_run_folder(std::filesystem::path const& folder) {
@@ -46,8 +33,9 @@ void make_run_folder(std::filesystem::path const& folder) {
         fmt::format("cannot make the folder '{}': {}", folder.string(), error.message()));
   drop_frames(folder, 0);
   Checkpoints(folder).forget();
-  std::filesystem::remove(folder / start_copy);
-  std::filesystem::remove(folder / "stop");
+  remove_file(folder / start_copy);
+  drop_kept_files(folder);
+  remove_file(folder / "stop");
 }
 
 std::string frame_name(std::size_t number) {
@@ -61,12 +49,12 @@ std::string wall_frame_name(std::size_t number) {
 void drop_frames(std::filesystem::path const& folder, std::size_t first) {
   static std::regex const particles("particles_[0-9]{6,}\\.vtp");
   static std::regex const walls("walls_[0-9]{6,}\\.vtp");
-  remove_ours(folder / "frames", [&](std::string const& name) {
+  remove_files(folder / "frames", [&](std::string const& name) {
     if (std::regex_match(name, walls)) return "frames/" + name >= wall_frame_name(first);
     return std::regex_match(name, particles) && "frames/" + name >= frame_name(first);
   });
-  if (first == 0) std::filesystem::remove(folder / "walls.pvd");
-  remove_ours(folder / "plots", is_picture_of_run);
+  if (first == 0) remove_file(folder / "walls.pvd");
+  remove_files(folder / "plots", is_picture_of_run);
   drop_bad_frame(folder);
 }
 

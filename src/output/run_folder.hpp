@@ -18,7 +18,8 @@ bool holds_a_run(std::filesystem::path const& folder);
 bool has_written_its_end(std::filesystem::path const& folder);
 
 /// Makes the folder of a run, or clears it of what an earlier run wrote: frames, pictures,
-/// checkpoints, the snapshot of a breakdown, requests. Other people's files stay.
+/// checkpoints, copies of bodies, the snapshot of a breakdown, requests. Other people's files stay.
+/// Throws OutputError.
 void make_run_folder(std::filesystem::path const& folder);
 
 /// Name of a frame of particles, and of walls where they move, relative to the folder.
@@ -26,7 +27,7 @@ std::string frame_name(std::size_t number);
 std::string wall_frame_name(std::size_t number);
 
 /// Removes the frames from this number on, and the pictures and the snapshot that were made of
-/// them.
+/// them. Throws OutputError.
 void drop_frames(std::filesystem::path const& folder, std::size_t first);
 
 }  // namespace moraine

@@ -7,6 +7,7 @@
 
 #include "output/atomic_file.hpp"
 #include "output/bad_frame.hpp"
+#include "output/kept_files.hpp"
 #include "output/run_folder.hpp"
 #include "output/vtp_writer.hpp"
 #include "setup/used_case.hpp"
@@ -64,7 +65,7 @@ bool Schedule::due(double time) {
 
 RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::filesystem::path folder,
                          int threads)
-    : case_(c),
+    : case_(with_kept_files(c, folder)),
       folder_(std::move(folder)),
       frames_(folder_ / "particles.pvd"),
       wall_frames_(folder_ / "walls.pvd"),
@@ -75,7 +76,7 @@ RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::files
       gauge_schedule_(c.output.gauge_interval, {}, c.output.gauge_interval <= 0.0),
       sums_schedule_(c.output.sums_interval, {}, c.output.sums_interval <= 0.0) {
   AtomicFile used(folder_ / "case.used.toml");
-  used.stream() << used_case(c);
+  used.stream() << used_case(case_);
   used.commit();
   manifest_.case_file = c.file;
   manifest_.case_sha256 = file_sha256(c.file);
@@ -86,7 +87,7 @@ RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::files
   if (simulation.particles().range(Kind::wall).size() > 0)
     write_vtp(folder_ / "walls.vtp", simulation.particles(), Kind::wall, 0.0);
   else
-    std::filesystem::remove(folder_ / "walls.vtp");
+    remove_file(folder_ / "walls.vtp");
   tell_probes(simulation);
   pass_schedules(0.0);
   write_frame(simulation);
@@ -96,7 +97,7 @@ RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::files
 
 RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::filesystem::path folder,
                          int threads, RecorderState const& saved)
-    : case_(c),
+    : case_(with_kept_files(c, folder)),
       folder_(std::move(folder)),
       manifest_(saved.manifest),
       frames_(folder_ / "particles.pvd", frames_at(saved.frame_times, frame_name)),

@@ -50,8 +50,9 @@ struct RecorderState {
 /// Writes frames, gauges, conserved sums, the used case and the manifest of one run.
 class RunRecorder {
  public:
-  /// Writes the used case, the manifest, the walls and the state at the start into a folder made by
-  /// make_run_folder. Throws OutputError, like all below, where something cannot be written.
+  /// Writes the used case, copies of the STL files that it names, the manifest, the walls and the
+  /// state at the start into a folder made by make_run_folder. Throws OutputError, like all below,
+  /// where something cannot be written.
   RunRecorder(Case const& c, Simulation const& simulation, std::filesystem::path folder,
               int threads);
 
@@ -60,6 +61,9 @@ class RunRecorder {
               int threads, RecorderState const& saved);
 
   RecorderState state() const;
+
+  /// The case with names of files that count from the folder of the run.
+  Case const& kept_case() const { return case_; }
 
   /// Saves or restores what the gauges remember.
   void exchange_probes(Archive& archive) { probes_.exchange(archive); }

@@ -98,12 +98,19 @@ FrameArray VtpFile::array(pugi::xml_node node, std::size_t size) const {
   if (std::string_view(node.attribute("format").value()) != "appended")
     refuse(fmt::format("array '{}' is not appended", array.name));
 
+  // Any more would exceed the file, and overflow what is computed below.
+  if (array.components == 0 || array.components > bytes_.size() ||
+      size > bytes_.size() / array.components)
+    refuse(fmt::format("array '{}' has {} components of {} particles, more than fit into the file",
+                       array.name, array.components, size));
   std::string_view const type_name = node.attribute("type").value();
   for (NumberType const& type : number_types) {
     if (type.name != type_name) continue;
-    std::size_t const start = data_ + node.attribute("offset").as_ullong();
+    std::size_t const offset = node.attribute("offset").as_ullong();
     std::uint64_t bytes = 0;
-    if (start + sizeof bytes > bytes_.size()) refuse("the file is cut off");
+    std::size_t const behind = bytes_.size() - data_;
+    if (behind < sizeof bytes || offset > behind - sizeof bytes) refuse("the file is cut off");
+    std::size_t const start = data_ + offset;
     std::memcpy(&bytes, bytes_.data() + start, sizeof bytes);
     if (bytes != size * array.components * type.bytes)
       refuse(fmt::format("array '{}' has {} bytes where {} particles need {}", array.name, bytes,
@@ -128,7 +135,10 @@ ParticleFrame read_vtp(std::filesystem::path const& path) {
   VtpFile const file(path);
   ParticleFrame frame;
   frame.time = file.field_value("TimeValue", 0.0);
-  frame.dimension = static_cast<int>(file.field_value("dimension", 3.0));
+  double const dimension = file.field_value("dimension", 3.0);
+  if (dimension != 1.0 && dimension != 2.0 && dimension != 3.0)
+    file.refuse(fmt::format("dimension is {}, only 1, 2 and 3 are understood", dimension));
+  frame.dimension = static_cast<int>(dimension);
   frame.size = file.piece().attribute("NumberOfPoints").as_ullong();
   frame.points = file.array(file.piece().child("Points").child("DataArray"), frame.size);
   if (frame.points.components != 3) file.refuse("points do not have three components");

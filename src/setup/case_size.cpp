@@ -10,6 +10,7 @@
 #include <string>
 
 #include "setup/fill.hpp"
+#include "setup/geometry.hpp"
 #include "setup/region_lattice.hpp"
 #include "setup/smoothing_warnings.hpp"
 
@@ -22,6 +23,10 @@ constexpr double most_particles = 2147483647.0;
 // Memory of a run per particle, walls included, by dimension: what `moraine bench` measures for
 // large tanks (docs/performance.md). In 1D lists are shorter than in 2D.
 constexpr std::array bytes_per_particle{300.0, 380.0, 510.0};
+
+// A checkpoint is put together in memory before it is written: measured sizes of files of resting
+// liquid. Envelopes (output.arrival_pressure) add 32 bytes.
+constexpr std::array checkpoint_bytes_per_particle{94.0, 122.0, 151.0};
 
 double wall_particles(Case const& c, WallSpec const& wall) {
   double const layers = std::ceil(kernel_support * c.numerics.smoothing_factor - 1e-9);
@@ -66,6 +71,28 @@ Culprit culprit_of(Case const& c) {
   return culprit;
 }
 
+// Lattice points between the outermost regions: each is asked for its owner.
+double points_to_ask(Case const& c) {
+  auto const regions = box_around_regions(c);
+  Box const range = regions ? common(c.domain, *regions) : c.domain;
+  double points = 1.0;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(c.dimension); ++axis)
+    points *= std::max(range.max[axis] - range.min[axis], 0.0) / c.numerics.spacing;
+  return points;
+}
+
+void check_extent(Case const& c) {
+  constexpr double most_points = 10.0 * most_particles;  // minutes
+  double const points = points_to_ask(c);
+  if (points <= most_points) return;
+  throw InputErrors({problem_of(
+      c, "resolution.spacing",
+      fmt::format("lays about {:.2g} places for particles across the regions; at most {:.2g} are "
+                  "possible, filled or not",
+                  points, most_points),
+      "bring the regions closer together, or take a coarser spacing")});
+}
+
 double size_for(Case const& c, Culprit const& culprit, double spacing) {
   Case other = c;
   culprit.spacing(other) = spacing;
@@ -97,7 +124,10 @@ CaseSize estimate_size(Case const& c) {
   if (c.start.particles)
     size.fluid += static_cast<double>(c.start.particles->range(Kind::fluid).size());
   for (WallSpec const& wall : c.walls) size.walls += wall_particles(c, wall);
-  size.bytes += size.particles() * bytes_per_particle[static_cast<std::size_t>(c.dimension - 1)];
+  auto const axes = static_cast<std::size_t>(c.dimension - 1);
+  double const envelopes = c.output.arrival_pressure ? 32.0 : 0.0;
+  size.bytes = size.particles() *
+               (bytes_per_particle[axes] + checkpoint_bytes_per_particle[axes] + envelopes);
   return size;
 }
 
@@ -108,7 +138,7 @@ double machine_memory() {
 void check_size(Case const& c, double memory) {
   CaseSize const size = estimate_size(c);
   bool const countable = size.particles() <= most_particles;
-  if (countable && size.bytes <= memory) return;
+  if (countable && size.bytes <= memory) return check_extent(c);
   double const most = std::min(most_particles, memory / size.bytes * size.particles());
   std::string const limit =
       countable ? fmt::format("this machine has {:.3g} GB", memory / 1e9)

@@ -9,7 +9,7 @@ namespace moraine {
 struct CaseSize {
   double fluid = 0.0;
   double walls = 0.0;
-  double bytes = 0.0;
+  double bytes = 0.0;  // of the run and of a checkpoint while it is written
   double particles() const { return fluid + walls; }
 };
 
@@ -21,7 +21,8 @@ double machine_memory();
 
 /// Throws InputErrors at the key of the spacing that makes most of them for a case of more
 /// particles than indices can count, or that needs more than `memory` bytes; says which spacing
-/// would fit.
+/// would fit. Regions so far apart that the places between them cannot be counted through are
+/// refused too.
 void check_size(Case const& c, double memory = machine_memory());
 
 }  // namespace moraine

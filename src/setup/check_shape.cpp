@@ -129,7 +129,8 @@ class ShapeCheck {
     if (!report.watertight() && stl.defects == StlDefects::refuse)
       return wrong("stl.file", fmt::format("does not close a body: {}", defects_text(report)),
                    "mend it, or give defects = \"accept\" and look at moraine preview");
-    stl.body = std::make_shared<MeshBody const>(std::move(report), WindingNumber(std::move(mesh)));
+    stl.body = std::make_shared<MeshBody const>(
+        MeshBody{std::move(report), WindingNumber(std::move(mesh))});
     return true;
   }
 

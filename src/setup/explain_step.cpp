@@ -104,7 +104,7 @@ struct Words {
 };
 
 // By label of the action; an action without an entry is told by its description alone.
-constexpr std::array<Words, 7> case_words{{
+constexpr std::array<Words, 8> case_words{{
     {"time step", time_step_words},
     {"move walls", motion_words},
     {"search", search_words},

@@ -9,6 +9,7 @@
 
 #include "setup/parameter_table.hpp"
 #include "setup/parameter_text.hpp"
+#include "setup/shape_table.hpp"
 
 namespace moraine {
 namespace {
@@ -75,7 +76,7 @@ Json value_schema(Parameter const& parameter) {
       return list_of(std::move(corner));
     }
     case ValueType::shapes:
-      return list_of(Json{{"type", "object"}});
+      return list_of(Json{{"$ref", "#/$defs/shape"}});
     case ValueType::shape_key:
       break;
   }
@@ -265,6 +266,52 @@ Json section_schema(SectionInfo const& section) {
   return schema;
 }
 
+Parameters of_shapes() {
+  Parameters result;
+  for (auto const& entry : shape_entries()) result.push_back(&entry.parameter);
+  return result;
+}
+
+std::string lengths_of_shapes(int dimension) {
+  return fmt::format("vectors_of_shapes_in_{}d", dimension);
+}
+
+// What the dimension says about a table: vectors have as many components.
+Json vector_lengths(Parameters const& parameters, int dimension) {
+  Json table = Json::object();
+  for (auto const* parameter : parameters) {
+    if (parameter->type == ValueType::vector)
+      put(table, parameter->key, Json{{"minItems", dimension}, {"maxItems", dimension}}, false);
+    if (parameter->type == ValueType::shapes)
+      put(table, parameter->key,
+          Json{{"items", Json{{"$ref", "#/$defs/" + lengths_of_shapes(dimension)}}}}, false);
+  }
+  return table;
+}
+
+Json vector_lengths(int dimension) {
+  Json table = vector_lengths(of_section(Section::top), dimension);
+  for (auto const& section : section_table) {
+    if (section.repeat == Repeat::once) continue;
+    Json rules = vector_lengths(of_section(section.section), dimension);
+    if (rules.empty()) continue;
+    char const* const items = section.repeat == Repeat::named ? "additionalProperties" : "items";
+    put(table, section.key, Json{{items, std::move(rules)}}, false);
+  }
+  return table;
+}
+
+void add_vector_lengths(Json& schema) {
+  for (int dimension = 1; dimension <= 3; ++dimension) {
+    Json condition = Json::object();
+    put(condition, "space.dimension", Json{{"const", dimension}}, false);
+    require(condition, "space.dimension", true);
+    schema["allOf"].push_back(
+        Json{{"if", std::move(condition)}, {"then", vector_lengths(dimension)}});
+    schema["$defs"][lengths_of_shapes(dimension)] = vector_lengths(of_shapes(), dimension);
+  }
+}
+
 }  // namespace
 
 std::string json_schema() {
@@ -282,6 +329,8 @@ std::string json_schema() {
   Json regions = has_key("region");
   put(regions, "region", Json{{"minItems", 1}}, false);
   schema["anyOf"] = Json::array({std::move(regions), has_key("start")});
+  schema["$defs"]["shape"] = TableSchema(of_shapes()).build();
+  add_vector_lengths(schema);
   return schema.dump(2) + '\n';
 }
 

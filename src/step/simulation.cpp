@@ -43,11 +43,17 @@ Simulation::Simulation(Model model, Unstarted)
                                reference_densities(model_))),
       stages_(std::move(model_.stages)) {
   using Run = void (Simulation::*)();
-  constexpr std::array<Run, action_table.size()> runs{
-      &Simulation::change_stage,  &Simulation::choose_time_step,    &Simulation::kick_and_drift,
-      &Simulation::move_walls,    &Simulation::find_neighbours,     &Simulation::evaluate_matter,
-      &Simulation::gather,        &Simulation::continue_into_walls, &Simulation::sum_pairs,
-      &Simulation::kick_and_check, &Simulation::watch};
+  constexpr std::array<Run, action_table.size()> runs{&Simulation::change_stage,
+                                                      &Simulation::choose_time_step,
+                                                      &Simulation::kick_and_drift,
+                                                      &Simulation::move_walls,
+                                                      &Simulation::find_neighbours,
+                                                      &Simulation::evaluate_matter,
+                                                      &Simulation::gather,
+                                                      &Simulation::continue_into_walls,
+                                                      &Simulation::sum_pairs,
+                                                      &Simulation::kick_and_check,
+                                                      &Simulation::watch};
   for (std::size_t k = 0; k < runs.size(); ++k)
     sequence_.push_back({action_table[k], runs[k], timers_.add(action_table[k].label)});
   model_.particles.shrink();

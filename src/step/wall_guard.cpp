@@ -10,7 +10,7 @@
 namespace moraine {
 namespace {
 
-/// A fluid particle of a list, and by how many periods it is moved: images are seen elsewhere.
+/// A fluid particle of a list, and which of its images: those are seen elsewhere.
 struct Seen {
   std::size_t particle;
   std::array<std::int8_t, 3> shift;
@@ -28,9 +28,10 @@ double distance2(WallGuardView const& view, Components const& x, std::size_t wal
                  Seen const& fluid) {
   double sum = 0.0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(view.store.dimension()); ++k) {
-    double away = x[k][fluid.particle] - x[k][wall];
-    if (fluid.shift[k] != 0) away += fluid.shift[k] * view.search.settings().periodicity.period[k];
-    sum += away * away;
+    double place = x[k][fluid.particle];
+    if (fluid.shift[k] != 0)
+      place = view.search.settings().sides.image_place(place, fluid.shift[k], k);
+    sum += (place - x[k][wall]) * (place - x[k][wall]);
   }
   return sum;
 }

@@ -16,9 +16,9 @@ Vote Simulation::vote_of_walls() const {
   for (MovingWall const& wall : model_.walls.bodies) {
     double const speed = wall.state.largest_speed(wall.radius);
     double const acceleration = wall.state.largest_acceleration(wall.radius);
-    vote = stricter(vote, {longest_motion * h / speed, "motion of a wall", Vote::nobody});
+    vote = stricter(vote, {longest_motion * h / speed, wall_motion_limit, Vote::nobody});
     vote = stricter(vote, {model_.time.courant * std::sqrt(h / acceleration),
-                           "acceleration of a wall", Vote::nobody});
+                           wall_acceleration_limit, Vote::nobody});
   }
   return vote;
 }

@@ -28,14 +28,23 @@ void* counted(std::size_t size, std::size_t alignment) {
 
 }  // namespace
 
-void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
-void* operator new(std::size_t size, std::align_val_t alignment) {
+// Not inlined: GCC would see only one half of a pair and take free() for a mistake.
+#define REPLACED [[gnu::noinline]]
+REPLACED void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
+REPLACED void* operator new(std::size_t size, std::align_val_t alignment) {
   return counted(size, static_cast<std::size_t>(alignment));
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+// The standard one would come to those above; the address sanitizer's does not.
+REPLACED void* operator new(std::size_t size, std::nothrow_t const&) noexcept {
+  return counted(size, alignof(std::max_align_t));
+}
+REPLACED void operator delete(void* memory) noexcept { std::free(memory); }
+REPLACED void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+REPLACED void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+REPLACED void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
+#undef REPLACED
 
 namespace moraine {
 namespace {

@@ -219,6 +219,18 @@ class CaseMutation : public ScratchFolder {
     }
   }
 
+  /// The schema must accept the cases in good/ and refuse those in bad/.
+  void compare() const {
+    std::string const command = "/usr/bin/python3 " MORAINE_SOURCE_DIR "/tools/check_schema.py " +
+                                path("schema.json").string() + ' ' + path("good").string() + ' ' +
+                                path("bad").string() + " > " + path("log").string() + " 2>&1";
+    int const status = std::system(command.c_str());
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 77)
+      GTEST_SKIP() << "install python3-jsonschema to compare schema and parser: "
+                      "tools/install_packages.sh schema";
+    EXPECT_EQ(status, 0) << bytes_of(path("log"));
+  }
+
   int accepted_ = 0;
   int refused_ = 0;
 };
@@ -238,14 +250,34 @@ TEST_F(CaseMutation, SchemaAgreesWithTheParser) {
   // Otherwise the comparison would say little.
   EXPECT_GT(accepted_, 100);
   EXPECT_GT(refused_, 300);
-  std::string const command = "/usr/bin/python3 " MORAINE_SOURCE_DIR "/tools/check_schema.py " +
-                              path("schema.json").string() + ' ' + path("good").string() + ' ' +
-                              path("bad").string() + " > " + path("log").string() + " 2>&1";
-  int const status = std::system(command.c_str());
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 77)
-    GTEST_SKIP() << "install python3-jsonschema to compare schema and parser: "
-                    "tools/install_packages.sh schema";
-  EXPECT_EQ(status, 0) << bytes_of(path("log"));
+  compare();
+}
+
+TEST_F(CaseMutation, SchemaClosesShapesAndVectors) {
+  auto const with = [](std::string const& shape, std::string const& more) {
+    return "space.dimension = 2\nresolution.spacing = 0.1\ntime.end = 1\n"
+           "material.water.use = \"water_shock\"\n[[region]]\nname = \"a\"\nmaterial = "
+           "\"water\"\n" +
+           shape + "\n" + more;
+  };
+  std::string const disc = "disc = { center = [0, 0], radius = 1 }";
+  auto const nested = [&](std::string const& inner) {
+    return "plus = [{ " + disc + ", minus = [{ " + inner + " }] }]";
+  };
+  for (std::string const& text : {with(disc, ""), with(disc, nested(disc))}) {
+    parse_case(text, "case.toml");
+    write(path("good/" + std::to_string(++accepted_) + ".toml"), text);
+  }
+  for (std::string const& text :
+       {with(disc, nested("disc = { center = [0, 0], radius = 1, colour = 2 }")),
+        with(disc, nested("ball = { center = [0, 0], radius = 1 }")), with(disc, nested("")),
+        with(disc, nested(disc + ", box = { min = [0, 0], max = [1, 1] }")),
+        with(disc, nested("disc = { center = [0, 0, 0], radius = 1 }")),
+        with("disc = { center = [0], radius = 1 }", ""), with(disc, "velocity = [1, 2, 3]")}) {
+    EXPECT_THROW(parse_case(text, "case.toml"), InputErrors) << text;
+    write(path("bad/" + std::to_string(++refused_) + ".toml"), text);
+  }
+  compare();
 }
 
 }  // namespace

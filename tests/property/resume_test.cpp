@@ -1,6 +1,7 @@
 // A run that goes on from a saved state gives the same bits as one that never stopped.
 #include <gtest/gtest.h>
 #include <omp.h>
+#include <unistd.h>
 
 #include <bit>
 #include <cstdint>
@@ -41,8 +42,8 @@ class Resume : public testing::TestWithParam<std::string> {
         read_case(std::string(MORAINE_SOURCE_DIR "/cases/") + GetParam() + "/case.toml"));
   }
   std::unique_ptr<Simulation> saved_and_restored(Simulation& simulation) const {
-    auto const path =
-        std::filesystem::temp_directory_path() / ("moraine_resume_" + GetParam() + ".h5");
+    auto const path = std::filesystem::temp_directory_path() /
+                      ("moraine_resume_" + GetParam() + "_" + std::to_string(getpid()) + ".h5");
     with_hdf5_image([&](Archive& archive) { simulation.save(archive); },
                     [&](FileImage image) { write_file(path, image); });
     std::unique_ptr<Simulation> restored;

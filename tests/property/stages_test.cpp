@@ -1,5 +1,6 @@
 // Stages: settle with damping, release a gate, detonate; when they end, and across a checkpoint.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -160,7 +161,8 @@ TEST(Stages, GiveTheSameBitsAcrossACheckpoint) {
   Simulation straight(build_model(c));
   advance_to_stage(straight, 2);
   for (int step = 0; step < 7; ++step) straight.advance();
-  auto const path = std::filesystem::temp_directory_path() / "moraine_stages.h5";
+  auto const path = std::filesystem::temp_directory_path() /
+                    ("moraine_stages_" + std::to_string(getpid()) + ".h5");
   with_hdf5_image([&](Archive& archive) { straight.save(archive); },
                   [&](FileImage image) { write_file(path, image); });
   std::unique_ptr<Simulation> resumed;

@@ -50,7 +50,7 @@ void Checkpoints::save(std::uint64_t step, Exchange const& exchange) {
     throw OutputError(fmt::format("no checkpoint of step {}: {}", step, error.what()));
   }
   auto const all = files();
-  for (std::size_t k = kept; k < all.size(); ++k) std::filesystem::remove(all[k]);
+  for (std::size_t k = kept; k < all.size(); ++k) remove_file(all[k]);
 }
 
 std::optional<std::filesystem::path> Checkpoints::newest(std::vector<std::string>& skipped) const {
@@ -65,12 +65,8 @@ std::optional<std::filesystem::path> Checkpoints::newest(std::vector<std::string
 void Checkpoints::forget() const { forget_newer(folder_); }
 
 void Checkpoints::forget_newer(std::filesystem::path const& last) const {
-  std::vector<std::filesystem::path> old;
-  std::error_code none;
-  for (auto const& entry : std::filesystem::directory_iterator(folder_, none))
-    if (is_ours(entry.path().filename().string()) && entry.path() > last)
-      old.push_back(entry.path());
-  for (auto const& file : old) std::filesystem::remove(file, none);
+  remove_files(folder_,
+               [&](std::string const& name) { return is_ours(name) && folder_ / name > last; });
 }
 
 }  // namespace moraine

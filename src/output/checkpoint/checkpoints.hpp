@@ -30,10 +30,10 @@ class Checkpoints {
   /// added to `skipped`.
   std::optional<std::filesystem::path> newest(std::vector<std::string>& skipped) const;
 
-  /// Removes all states, also unfinished ones.
+  /// Removes all states, also unfinished ones. Throws OutputError.
   void forget() const;
 
-  /// Removes the states after this one, also unfinished ones.
+  /// Removes the states after this one, also unfinished ones. Throws OutputError.
   void forget_newer(std::filesystem::path const& last) const;
 
  private:

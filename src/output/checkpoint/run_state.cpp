@@ -4,8 +4,10 @@
 
 #include <stdexcept>
 
+#include "base/simd.hpp"
 #include "output/checkpoint/hdf5_archive.hpp"
 #include "output/checkpoint/start_reader.hpp"
+#include "output/kept_files.hpp"
 #include "setup/build_model.hpp"
 #include "setup/read_case.hpp"
 #include "setup/used_case.hpp"
@@ -28,9 +30,11 @@ void exchange_layout(Archive& archive) {
                     found, layout));
 }
 
-void save_run(Archive& archive, Case const& c, Simulation& simulation, RunRecorder& recorder) {
+void save_run(Archive& archive, Simulation& simulation, RunRecorder& recorder) {
   exchange_layout(archive);
-  std::string text = used_case(c);
+  std::string flavour = simd_flavour;
+  archive.text("simd", flavour);
+  std::string text = used_case(recorder.kept_case());
   archive.text("case", text);
   simulation.save(archive);
   RecorderState state = recorder.state();
@@ -38,7 +42,7 @@ void save_run(Archive& archive, Case const& c, Simulation& simulation, RunRecord
   recorder.exchange_probes(archive);
 }
 
-bool has_ended(std::filesystem::path const& checkpoint) {
+bool has_ended(std::filesystem::path const& checkpoint, std::filesystem::path const& folder) {
   bool ended = false;
   restore_hdf5(checkpoint, [&](Archive& archive) {
     exchange_layout(archive);
@@ -46,7 +50,7 @@ bool has_ended(std::filesystem::path const& checkpoint) {
     archive.text("case", text);
     double time = 0.0;
     archive.number("time", time);
-    ended = time >= parse_case(text, "case.used.toml").time.end;
+    ended = time >= parse_case(text, (folder / "case.used.toml").string()).time.end;
   });
   return ended;
 }
@@ -56,10 +60,12 @@ RestoredRun restore_run(std::filesystem::path const& checkpoint,
   RestoredRun run;
   restore_hdf5(checkpoint, [&](Archive& archive) {
     exchange_layout(archive);
+    archive.text("simd", run.simd);
     std::string text;
     archive.text("case", text);
     run.c = parse_case(text, (folder / "case.used.toml").string());
     read_start_copy(run.c, folder);
+    check_kept_files(run.c, folder);
     run.simulation = std::make_unique<Simulation>(build_model(run.c), archive);
     run.c.start.particles.reset();
     RecorderState state;

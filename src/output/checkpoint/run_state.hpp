@@ -16,22 +16,24 @@ namespace moraine {
 void exchange_layout(Archive& archive);
 
 /// Saves case, simulation and recorder: all that is needed to go on.
-void save_run(Archive& archive, Case const& c, Simulation& simulation, RunRecorder& recorder);
+void save_run(Archive& archive, Simulation& simulation, RunRecorder& recorder);
 
-/// Whether the run saved in a checkpoint file had nothing left to compute. Throws
-/// std::runtime_error like restore_run.
-bool has_ended(std::filesystem::path const& checkpoint);
+/// Whether the run saved in a checkpoint file of this folder had nothing left to compute. Throws
+/// like restore_run.
+bool has_ended(std::filesystem::path const& checkpoint, std::filesystem::path const& folder);
 
 /// A run as it was when it was saved.
 struct RestoredRun {
   Case c;
+  std::string simd;  // simd_flavour of the program that saved it: others give other last digits
   std::unique_ptr<Simulation> simulation;
   std::unique_ptr<RunRecorder> recorder;
 };
 
 /// The run saved in a checkpoint file of this folder, whose files are cut back to that moment.
 /// Throws std::runtime_error when the checkpoint was written by another version of its layout or
-/// does not fit the case in it, OutputError when the folder cannot be written.
+/// does not fit the case in it, InputErrors when an STL file kept in the folder is gone or was
+/// changed, OutputError when the folder cannot be written.
 RestoredRun restore_run(std::filesystem::path const& checkpoint,
                         std::filesystem::path const& folder, int threads);
 

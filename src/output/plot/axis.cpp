@@ -18,6 +18,12 @@ struct Step {
   int decimals;
 };
 
+/// Whether round values between the ends differ in double precision.
+bool has_round_values(double low, double high) {
+  double const length = high - low;
+  return length > 1e-10 * std::max(std::abs(low), std::abs(high)) && std::isfinite(length);
+}
+
 Step round_step(double length, int most) {
   double const raw = length / std::max(most, 1);
   int const exponent = static_cast<int>(std::floor(std::log10(raw)));
@@ -32,7 +38,7 @@ Step round_step(double length, int most) {
 
 Ticks round_ticks(double low, double high, int most) {
   Ticks ticks;
-  if (!(high > low)) return ticks;
+  if (!has_round_values(low, high)) return ticks;
   Step const step = round_step(high - low, most);
   double const slack = 1e-9 * (high - low);
   for (double k = std::ceil((low - slack) / step.size); k * step.size <= high + slack; k += 1.0) {
@@ -56,6 +62,7 @@ Axis axis_around(double low, double high, double margin, std::string label) {
 }
 
 Axis rounded_out(Axis axis) {
+  if (!has_round_values(axis.low, axis.high)) return axis;
   double const length = axis.high - axis.low;
   double const step = round_step(length, 8).size;
   double const low = std::floor(axis.low / step) * step, high = std::ceil(axis.high / step) * step;

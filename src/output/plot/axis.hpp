@@ -14,7 +14,8 @@ struct Ticks {
   std::vector<std::string> labels;
 };
 
-/// At most `most` + 1 ticks, at multiples of 1, 2, 2.5 or 5 times a power of ten.
+/// At most `most` + 1 ticks, at multiples of 1, 2, 2.5 or 5 times a power of ten. None where the
+/// interval is too short for the digits of its ends.
 Ticks round_ticks(double low, double high, int most);
 
 /// Interval of displayed values, with its label.

@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "output/output_error.hpp"
+
 namespace moraine::plot {
 namespace {
 
@@ -58,8 +60,8 @@ Canvas::Canvas(std::filesystem::path path, double width, double height)
   }
   context_.reset(cairo_create(surface_.get()));
   if (cairo_status(cairo()) != CAIRO_STATUS_SUCCESS)
-    throw std::runtime_error(fmt::format("cannot write picture '{}': {}", path_.string(),
-                                         cairo_status_to_string(cairo_status(cairo()))));
+    throw OutputError(fmt::format("cannot write picture '{}': {}", path_.string(),
+                                  cairo_status_to_string(cairo_status(cairo()))));
   cairo_font_options_t* const options = cairo_font_options_create();
   cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
   cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
@@ -126,8 +128,8 @@ void Canvas::finish() {
   std::error_code error;
   if (status == CAIRO_STATUS_SUCCESS) std::filesystem::rename(temporary_, path_, error);
   if (status != CAIRO_STATUS_SUCCESS || error)
-    throw std::runtime_error(fmt::format("cannot write picture '{}': {}", path_.string(),
-                                         error ? error.message() : cairo_status_to_string(status)));
+    throw OutputError(fmt::format("cannot write picture '{}': {}", path_.string(),
+                                  error ? error.message() : cairo_status_to_string(status)));
   finished_ = true;
 }
 

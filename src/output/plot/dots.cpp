@@ -44,13 +44,13 @@ class Picture {
     double const x = (dot.x - left_) * scale_, y = (dot.y - top_) * scale_;
     double const radius = std::max(0.5 * dot.diameter * scale_, 0.71);
     std::uint32_t const value = packed(dot.color);
-    int const first = std::max(0, static_cast<int>(std::ceil(y - radius - 0.5)));
-    int const last = std::min(height_ - 1, static_cast<int>(std::floor(y + radius - 0.5)));
+    int const first = first_from(y - radius - 0.5);
+    int const last = last_to(y + radius - 0.5, height_);
     for (int row = first; row <= last; ++row) {
       double const dy = row + 0.5 - y;
       double const half = std::sqrt(std::max(0.0, radius * radius - dy * dy));
-      int const from = std::max(0, static_cast<int>(std::ceil(x - half - 0.5)));
-      int const to = std::min(width_ - 1, static_cast<int>(std::floor(x + half - 0.5)));
+      int const from = first_from(x - half - 0.5);
+      int const to = last_to(x + half - 0.5, width_);
       std::uint32_t* const line =
           pixels_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(width_);
       for (int column = from; column <= to; ++column) line[column] = value;
@@ -75,6 +75,14 @@ class Picture {
   int height() const { return height_; }
 
  private:
+  // Pixels from and to a place, within the picture; places far outside are no int.
+  static int first_from(double place) {
+    return static_cast<int>(std::clamp(std::ceil(place), 0.0, 1e9));
+  }
+  static int last_to(double place, int count) {
+    return static_cast<int>(std::clamp(std::floor(place), -1.0, count - 1.0));
+  }
+
   static std::uint32_t packed(Color const& color) {
     auto const byte = [](double part) {
       return static_cast<std::uint32_t>(std::lround(std::clamp(part, 0.0, 1.0) * 255.0));

@@ -9,6 +9,7 @@
 #include "output/plot/color_bar.hpp"
 #include "output/plot/color_map.hpp"
 #include "output/plot/dots.hpp"
+#include "output/plot/drawable.hpp"
 #include "output/plot/frame_field.hpp"
 #include "output/plot/plot.hpp"
 #include "output/si_prefix.hpp"
@@ -211,11 +212,12 @@ View view_of(ParticleFrame const& frame, ParticleFrame const& walls, double spac
 
 void plot_frame(std::filesystem::path const& vtp, std::string const& field,
                 std::filesystem::path const& out, FramePlotOptions const& options) {
-  ParticleFrame const frame = read_vtp(vtp);
+  ParticleFrame const frame = read_drawable_frame(vtp);
   if (frame.dimension == 1)
     throw std::invalid_argument(
         fmt::format("'{}' is one-dimensional: plot a profile instead", vtp.string()));
-  ParticleFrame const walls = options.walls.empty() ? ParticleFrame{} : read_vtp(options.walls);
+  ParticleFrame const walls =
+      options.walls.empty() ? ParticleFrame{} : read_drawable_frame(options.walls);
   FrameField const values = frame_field(frame, field);
   ColorRange const range = chosen_range(options, values.values);
   double const spacing = median_of_positive(spacings(frame));

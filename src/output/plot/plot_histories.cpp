@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "output/plot/drawable.hpp"
 #include "output/plot/plot.hpp"
 #include "output/plot/stacked_panels.hpp"
 #include "output/table_csv.hpp"
@@ -15,7 +16,7 @@ using plot::Curve;
 using plot::CurvePanel;
 
 Table read_series(std::filesystem::path const& csv) {
-  Table table = read_table_csv(csv);
+  Table table = plot::read_drawable_table(csv);
   if (table.rows() == 0)
     throw std::runtime_error(fmt::format("table '{}' has no rows to plot", csv.string()));
   return table;

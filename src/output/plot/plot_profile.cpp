@@ -9,6 +9,7 @@
 #include "output/plot/color_map.hpp"
 #include "output/plot/curve.hpp"
 #include "output/plot/dots.hpp"
+#include "output/plot/drawable.hpp"
 #include "output/plot/frame_field.hpp"
 #include "output/plot/plot.hpp"
 #include "output/si_prefix.hpp"
@@ -61,7 +62,7 @@ Profile make_profile(ParticleFrame const& frame, FrameField const& field) {
 
 void plot_profile(std::filesystem::path const& vtp, std::string const& field,
                   std::filesystem::path const& out) {
-  ParticleFrame const frame = read_vtp(vtp);
+  ParticleFrame const frame = read_drawable_frame(vtp);
   Profile const profile = make_profile(frame, frame_field(frame, field));
   double const left =
       Panel({0.0, 0.0, plot_width, plot_height}, profile.x_axis, profile.y_axis).y_label_room();

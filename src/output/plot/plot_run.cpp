@@ -6,6 +6,7 @@
 
 #include "base/input_error.hpp"
 #include "output/plot/color_bar.hpp"
+#include "output/plot/drawable.hpp"
 #include "output/plot/frame_field.hpp"
 #include "output/plot/plot.hpp"
 #include "output/pvd_collection.hpp"
@@ -36,7 +37,7 @@ std::optional<std::array<double, 2>> range_of_frames(
     std::vector<std::filesystem::path> const& frames, std::string const& field) {
   std::vector<plot::ColorRange> ranges;
   for (auto const& file : frames) {
-    ParticleFrame const frame = read_vtp(file);
+    ParticleFrame const frame = plot::read_drawable_frame(file);
     if (frame.dimension == 1) return std::nullopt;
     ranges.push_back(plot::color_range(plot::frame_field(frame, field).values));
   }

@@ -57,16 +57,35 @@ TEST(CaseSize, SeesDiscsAndWhatCoversOtherRegions) {
 }
 
 TEST(CaseSize, RefusesWhatDoesNotFit) {
-  Case const c = basin(2, 0.01);  // 10 000 fluid and 1200 wall particles, 4.256 MB
-  EXPECT_NO_THROW(check_size(c, 4.3e6));
+  Case const c = basin(2, 0.01);  // 10 000 fluid and 1200 wall particles, 5.6224 MB
+  EXPECT_NO_THROW(check_size(c, 5.7e6));
   try {
-    check_size(c, 4.2e6);
+    check_size(c, 5.6e6);
     FAIL() << "accepted";
   } catch (InputErrors const& errors) {
     EXPECT_STREQ(errors.what(),
                  "case.toml: resolution.spacing: makes about 1.1e+04 particles, which need about "
-                 "0.00426 GB of memory; this machine has 0.0042 GB; a spacing of 0.02 m fits");
+                 "0.00562 GB of memory; this machine has 0.0056 GB; a spacing of 0.02 m fits");
   }
+}
+
+// Few particles, but filling would ask 1e12 places.
+TEST(CaseSize, RefusesRegionsTooFarApart) {
+  Case c = basin(2, 0.01);
+  c.walls.clear();
+  c.regions[0].plus = {{Disc{{9999.9, 9999.9, 0.0}, 0.1}, {}, {}}};
+  c.domain = *default_domain(c);
+  try {
+    check_size(c, 1e9);
+    FAIL() << "accepted";
+  } catch (InputErrors const& errors) {
+    EXPECT_NE(std::string(errors.what()).find("about 1e+12 places for particles"),
+              std::string::npos)
+        << errors.what();
+  }
+  c.regions[0].plus = {{Disc{{99.9, 99.9, 0.0}, 0.1}, {}, {}}};
+  c.domain = *default_domain(c);
+  EXPECT_NO_THROW(check_size(c, 1e9));
 }
 
 // At once, with place and value, however fine: filling would take years.
@@ -81,7 +100,7 @@ TEST(CaseSize, RefusesWhatCannotBeCounted) {
   } catch (InputErrors const& errors) {
     std::string const text = errors.what();
     EXPECT_EQ(text.find("case.toml:4:11: resolution.spacing: \"100 nm\" makes about 1e+21 "
-                        "particles, which need about 5.1e+14 GB of memory; at most 2147483647 "
+                        "particles, which need about 6.61e+14 GB of memory; at most 2147483647 "
                         "particles are possible; a spacing of "),
               0U)
         << text;
