@@ -126,8 +126,8 @@ CaseSize estimate_size(Case const& c) {
   for (WallSpec const& wall : c.walls) size.walls += wall_particles(c, wall);
   auto const axes = static_cast<std::size_t>(c.dimension - 1);
   double const envelopes = c.output.arrival_pressure ? 32.0 : 0.0;
-  size.bytes = size.particles() *
-               (bytes_per_particle[axes] + checkpoint_bytes_per_particle[axes] + envelopes);
+  size.bytes += size.particles() *
+                (bytes_per_particle[axes] + checkpoint_bytes_per_particle[axes] + envelopes);
   return size;
 }
 
