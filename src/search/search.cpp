@@ -1,11 +1,8 @@
 #include "search/search.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "base/parallel_for.hpp"
 
@@ -234,54 +231,6 @@ void Search::make_lists(ParticleStore const& store) {
   if (settings_.dimension == 1) collect_neighbours<1>();
   if (settings_.dimension == 2) collect_neighbours<2>();
   if (settings_.dimension == 3) collect_neighbours<3>();
-}
-
-void Search::exchange(Archive& archive, ParticleStore& store) {
-  archive.number("search/fluid_skin", skins_.fluid);
-  archive.number("search/wall_skin", skins_.wall);
-  archive.number("search/wall_reach", wall_reach_);
-  archive.number("search/fluid_motion_seen", seen_.fluid);
-  archive.number("search/wall_motion_seen", seen_.wall);
-  archive.number("search/steps_since_rebuild", steps_since_rebuild_);
-  archive.number("search/rebuilds", rebuilds_);
-  if (archive.restoring()) points(Kind::wall) = {};
-  exchange_reference(archive, store, Kind::fluid);
-  if (settings_.walls_move) exchange_reference(archive, store, Kind::wall);
-  if (!archive.restoring()) return;
-  walls_sorted_ = true;
-  if (store.range(Kind::wall).size() > 0) {
-    if (!settings_.walls_move) read_units(store, Kind::wall);
-    expect_order(store, Kind::wall, wall_reach_);
-  }
-  expect_order(store, Kind::fluid, reach());
-  make_lists(store);
-  read_units(store, Kind::fluid);
-  if (settings_.walls_move) read_units(store, Kind::wall);
-  displacement_.largest(moving_points());
-}
-
-/// Saves or restores where the points of a kind were when the lists were made.
-void Search::exchange_reference(Archive& archive, ParticleStore const& store, Kind kind) {
-  Points& p = points(kind);
-  std::string const name = kind == Kind::fluid ? "search/listed_at_" : "search/walls_listed_at_";
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(settings_.dimension); ++axis) {
-    auto const reference = displacement_.reference(kind, axis);
-    std::vector<Units> units(reference.begin(), reference.end());
-    archive.array(name + "xyz"[axis], "", units);
-    if (!archive.restoring()) continue;
-    if (units.size() != store.range(kind).size())
-      throw std::runtime_error("search and particles do not belong together");
-    units.resize(units.size() + CellPoints::padding);
-    p.owned = store.range(kind).size();
-    p.x[axis] = std::move(units);
-  }
-}
-
-/// Makes the grid of points that are in cell order already.
-void Search::expect_order(ParticleStore const& store, Kind kind, double reach) {
-  auto const order = cell_order(store, kind, reach);
-  for (std::size_t k = 0; k < order.size(); ++k)
-    if (order[k] != k) throw std::runtime_error("the particles are not in the order of the search");
 }
 
 template <int D>
