@@ -1,19 +1,33 @@
 // Formulas of time.
-#include <fmt/format.h>
 #include <muParser.h>
 
 #include <algorithm>
 #include <numbers>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include "motion/time_course.hpp"
 
 namespace moraine {
 namespace {
 
+/// Whether the text holds a lone =, which muParser takes for an assignment.
+bool assigns(std::string_view text) {
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (text[k] != '=') continue;
+    if (k + 1 < text.size() && text[k + 1] == '=')
+      ++k;
+    else if (k == 0 || std::string_view("!<>").find(text[k - 1]) == std::string_view::npos)
+      return true;
+  }
+  return false;
+}
+
 class Formula final : public TimeCourse::Rule {
  public:
   Formula(std::string const& text, double step) : step_(step) {
+    if (assigns(text)) throw std::invalid_argument("nothing can be assigned; compare with ==");
     try {
       parser_.DefineVar("t", &time_);
       parser_.DefineConst("pi", std::numbers::pi);

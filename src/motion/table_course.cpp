@@ -34,8 +34,8 @@ class Spline final : public TimeCourse::Rule {
 
   CourseState at(double time) const override {
     if (time < times_.front()) return {values_.front()};
-    if (time >= times_.back()) return {values_.back()};
-    auto const after = std::upper_bound(times_.begin(), times_.end(), time);
+    if (time > times_.back()) return {values_.back()};
+    auto const after = std::upper_bound(times_.begin(), times_.end() - 1, time);
     auto const k = static_cast<std::size_t>(after - times_.begin()) - 1;
     double const length = times_[k + 1] - times_[k];
     double const a = (times_[k + 1] - time) / length, b = 1.0 - a;

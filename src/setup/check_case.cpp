@@ -189,11 +189,31 @@ class CaseCheck {
   void check_motion_inside(WallSpec const& wall, std::string const& key) {
     if (!wall.motion.motion) return;
     Box const swept = swept_box(wall.box, wall.motion, case_);
+    check_motion_at_planes(wall, swept, key);
     if (is_inside(swept, with_mirror_images(case_.domain, case_), case_.dimension)) return;
     for (auto const* name : {"translation", "rotation", "file"})
       if (source_.has(key + name))
         return source_.report_value(key + name, "moves the wall out of the domain",
                                     "enlarge space.domain");
+  }
+
+  /// A plane cuts a wall once, at the start: what meets it must not move across it.
+  void check_motion_at_planes(WallSpec const& wall, Box const& swept, std::string const& key) {
+    for (std::size_t side = 0; side < side_names.size(); ++side) {
+      std::size_t const axis = side / 2;
+      if (!case_.symmetry.planes[axis][side % 2]) continue;
+      bool const meets = side % 2 == 0 ? swept.min[axis] <= case_.domain.min[axis]
+                                       : swept.max[axis] >= case_.domain.max[axis];
+      bool const along =
+          swept.min[axis] == wall.box.min[axis] && swept.max[axis] == wall.box.max[axis];
+      if (!meets || along) continue;
+      for (auto const* name : {"translation", "rotation", "file"})
+        if (source_.has(key + name))
+          return source_.report_value(
+              key + name,
+              fmt::format("moves the wall across the symmetry plane {}", side_names[side]),
+              "compute the whole");
+    }
   }
 
   void check_inside(Box const& box, std::string const& key) {

@@ -13,8 +13,11 @@
 namespace moraine {
 namespace {
 
-/// How long sound takes for a smoothing length [s]: motions are smooth on that scale.
-double sound_time(Case const& c) {
+// Parts of the run at whose ends motions are looked at.
+constexpr int instants = 1000;
+
+/// A twentieth of the time in which sound passes a smoothing length [s], shorter than a time step.
+double difference_step(Case const& c) {
   double fastest = 0.0;
   for (MaterialSpec const& material : c.materials)
     fastest =
@@ -23,7 +26,7 @@ double sound_time(Case const& c) {
                                 return law.sound_speed(law.reference_density, law.reference_energy);
                               },
                               material.eos));
-  double const time = c.numerics.smoothing_length() / fastest;
+  double const time = 0.05 * c.numerics.smoothing_length() / fastest;
   return std::isfinite(time) && time > 0.0 ? time : 1e-6 * c.time.end;
 }
 
@@ -65,6 +68,12 @@ class MotionCheck {
       if (filed.end < case_.time.end)
         return wrong("file", fmt::format("ends at {:.6g} s, before the run at {:.6g} s", filed.end,
                                          case_.time.end));
+      for (std::size_t k = 0; k < 4; ++k) {
+        TimeCourse const& course = k < 3 ? motion.translation[k] : motion.rotation;
+        if (std::fabs(course.at(0.0).value) > 1e-9 * case_.numerics.spacing)
+          return wrong("file", "displaces the wall at t = 0",
+                       "the wall starts where its box is: make it 0 there");
+      }
     } catch (MotionFileError const& error) {
       return wrong("file", error.what());
     }
@@ -87,18 +96,38 @@ class MotionCheck {
   }
 
   bool formula(std::string const& text, std::string const& name, TimeCourse& course) {
-    double const step = sound_time(case_);
+    double const step = difference_step(case_);
     try {
       course = TimeCourse::formula(text, step);
     } catch (std::invalid_argument const& error) {
       return wrong(name,
                    fmt::format("holds \"{}\", which is no formula of t: {}", text, error.what()));
     }
-    for (double const time : {0.0, 0.5 * case_.time.end, case_.time.end}) {
+    return is_smooth(text, name, course);
+  }
+
+  /// What stands still at the start, is a number throughout, and does not jump.
+  bool is_smooth(std::string const& text, std::string const& name, TimeCourse const& course) {
+    double const interval = case_.time.end / instants;
+    CourseState before;
+    for (int n = 0; n <= instants; ++n) {
+      // Between round times, so that the differences of a rate do not span a jump.
+      double const time = (n == 0 || n == instants ? n : n - 0.382) * interval;
       CourseState const state = course.at(time);
-      if (std::isfinite(state.value + state.rate + state.second_rate)) continue;
-      return wrong(
-          name, fmt::format("holds \"{}\", which is no finite number at t = {:.6g} s", text, time));
+      std::string const holds = fmt::format("holds \"{}\", which ", text);
+      if (!std::isfinite(state.value + state.rate + state.second_rate))
+        return wrong(name, holds + fmt::format("is no finite number at t = {:.6g} s", time));
+      if (n == 0 && std::fabs(state.value) > 1e-9 * case_.numerics.spacing)
+        return wrong(name, holds + fmt::format("is {:.4g} at t = 0", state.value),
+                     "the wall starts where its box is: make it 0 there");
+      // A rise that the rates at both ends, and their change between them, cannot explain.
+      double const rates = std::fabs(before.rate) + std::fabs(state.rate);
+      double const bend = std::fabs(before.second_rate) + std::fabs(state.second_rate);
+      double const possible = interval * (rates + interval * bend);
+      double const risen = std::fabs(state.value - before.value);
+      if (n > 0 && risen > 10.0 * possible + 0.5 * case_.numerics.spacing)
+        return wrong(name, holds + fmt::format("jumps by {:.4g} before t = {:.6g} s", risen, time));
+      before = state;
     }
     return true;
   }
@@ -128,7 +157,6 @@ void check_motion(MotionSpec& spec, std::string const& key, Case const& c, Sourc
 
 Box swept_box(Box const& box, MotionSpec const& spec, Case const& c) {
   if (!spec.motion) return box;
-  constexpr int instants = 1000;
   auto const axes = static_cast<std::size_t>(c.dimension);
   Box swept = box;
   for (int n = 0; n <= instants; ++n) {

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace moraine {
@@ -44,9 +45,11 @@ class Columns {
                                         cells.size(), order_.size()));
     for (std::size_t k = 0; k < cells.size(); ++k) {
       double value = 0.0;
-      auto const [end, error] =
-          std::from_chars(cells[k].data(), cells[k].data() + cells[k].size(), value);
-      if (error != std::errc{} || end != cells[k].data() + cells[k].size())
+      std::string_view number_text = cells[k];
+      if (number_text.starts_with('+')) number_text.remove_prefix(1);
+      auto const* const last = number_text.data() + number_text.size();
+      auto const [end, error] = std::from_chars(number_text.data(), last, value);
+      if (error != std::errc{} || end != last)
         throw MotionFileError(fmt::format("line {}: \"{}\" is not a number", number, cells[k]));
       values_[order_[k]].push_back(value);
     }
@@ -71,8 +74,9 @@ class Columns {
           (column == 4 && dimension_ == 1);
       if (found == known_columns.end() || useless)
         throw MotionFileError(fmt::format(
-            "line {}: \"{}\" is no column of a motion in {}D; time, x, y, z and angle are", number,
-            name, dimension_));
+            "line {}: \"{}\" is no column of a motion in {}D; time, x, y, z and angle are{}",
+            number, name, dimension_,
+            name.find_first_of(";\t") == std::string_view::npos ? "" : ", separated by commas"));
       if (std::find(order_.begin(), order_.end(), column) != order_.end())
         throw MotionFileError(fmt::format("line {}: \"{}\" is named twice", number, name));
       order_.push_back(column);
@@ -100,12 +104,20 @@ class Columns {
 }  // namespace
 
 FiledMotion read_motion_file(std::filesystem::path const& path, int dimension) {
+  constexpr std::uintmax_t most_bytes = 100'000'000;
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) throw MotionFileError("does not exist");
+  if (!std::filesystem::is_regular_file(path, error)) throw MotionFileError("is not a file");
+  if (std::filesystem::file_size(path, error) > most_bytes)
+    throw MotionFileError(fmt::format("is larger than {} bytes", most_bytes));
   std::ifstream file(path);
   if (!file) throw MotionFileError("cannot be read");
   Columns columns(dimension);
   std::string line;
   for (std::size_t number = 1; std::getline(file, line); ++number) {
-    auto const text = trimmed(line);
+    std::string_view text = line;
+    if (number == 1 && text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // of spreadsheets
+    text = trimmed(text);
     if (!text.empty() && text.front() != '#') columns.add_line(text, number);
   }
   return columns.motion();

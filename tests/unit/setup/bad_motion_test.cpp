@@ -23,7 +23,6 @@ std::string text_of(std::string const& space, std::string const& wall) {
 }
 
 std::string const tank = "name = \"tank\"\ncontainer = { min = [0, 0], max = [2, 2] }\n";
-std::string const domain = "domain = { min = [0, -1], max = [3, 3] }\n";
 
 std::string error_of(std::string const& text) {
   return message_of<InputErrors>([&] { parse_case(text, "case.toml"); });
@@ -69,7 +68,22 @@ INSTANTIATE_TEST_SUITE_P(
             "leave "
             "out one of the two"},
         Bad{"", tank + "motion.file = \"nowhere.csv\"",
-            "case.toml:19:15: wall.tank.motion.file: \"nowhere.csv\" cannot be read"},
+            "case.toml:19:15: wall.tank.motion.file: \"nowhere.csv\" does not exist"},
+        Bad{"", tank + "motion.translation = [\"0.1*cos(t)\", \"0\"]",
+            "case.toml:19:22: wall.tank.motion.translation: [\"0.1*cos(t)\", \"0\"] holds "
+            "\"0.1*cos(t)\", which is 0.1 at t = 0; the wall starts where its box is: make it 0 "
+            "there"},
+        Bad{"", tank + "motion.translation = [\"t>0.5?0.3:0\", \"0\"]",
+            "case.toml:19:22: wall.tank.motion.translation: [\"t>0.5?0.3:0\", \"0\"] holds "
+            "\"t>0.5?0.3:0\", which jumps by 0.3 before t = 0.500618 s"},
+        Bad{"", tank + "motion.rotation = \"t = 1\"",
+            "case.toml:19:19: wall.tank.motion.rotation: \"t = 1\" holds \"t = 1\", which is no "
+            "formula of t: nothing can be assigned; compare with =="},
+        Bad{"domain = { min = [0, -1], max = [3, 3] }\nsymmetry = [\"x-\"]",
+            tank + "motion.translation = [\"0.1*t\", \"0\"]",
+            "case.toml:20:22: wall.tank.motion.translation: [\"0.1*t\", \"0\"] moves the wall "
+            "across "
+            "the symmetry plane x-; compute the whole"},
         Bad{"domain = { min = [-1, -1], max = [3, 3] }",
             tank + "motion.translation = [\"2*t\", \"0\"]",
             "case.toml:19:22: wall.tank.motion.translation: [\"2*t\", \"0\"] moves the wall out of "
@@ -105,6 +119,10 @@ TEST_F(MotionFile, SaysWhatIsWrongAndWhere) {
         BadFile{"time\n0\n1\n", "line 1 must name the column time and at least one more"},
         BadFile{"time,z\n",
                 "line 1: \"z\" is no column of a motion in 2D; time, x, y, z and angle are"},
+        BadFile{"time;x\n",
+                "line 1: \"time;x\" is no column of a motion in 2D; time, x, y, z and angle are, "
+                "separated by commas"},
+        BadFile{"time,x\n0,1\n1,2\n", "make it 0 there"},
         BadFile{"time,x,x\n", "line 1: \"x\" is named twice"},
         BadFile{"time,x\n0,0\n# pause\n1,a\n", "line 4: \"a\" is not a number"},
         BadFile{"time,x\n0,0\n1\n", "line 3 has 1 columns; 2 are named above"},
@@ -122,7 +140,7 @@ TEST_F(MotionFile, SaysWhatIsWrongAndWhere) {
 
 TEST_F(MotionFile, IsRead) {
   std::ofstream(path("motion.csv"))
-      << "# shaking table\r\nangle, time ,x\r\n0, 0, 0\n0.1,0.5,0.25\n\n0.2, 2, 1\n";
+      << "\xEF\xBB\xBF# shaking table\r\nangle, time ,x\r\n0, 0, 0\n+0.1,0.5,0.25\n\n0.2, 2, 1\n";
   std::string const file = path("motion.csv").string();
   Case const c = parse_case(text_of("", tank + "motion.file = \"" + file + "\""), "case.toml");
   ASSERT_TRUE(c.walls[0].motion.motion);
@@ -138,7 +156,7 @@ TEST_F(MotionFile, IsRead) {
 
 TEST(Motion, IsWrittenAsItWasRead) {
   Case const c = parse_case(
-      text_of(domain + "symmetry = [\"x-\"]",
+      text_of("domain = { min = [-1, -1], max = [3, 3] }\nsymmetry = [\"x+\"]",
               tank + "motion = { translation = [\"0\", \"0.01*sin(3*t)\"], rotation = \"0.1*t\", "
                      "about = [1, 0] }"),
       "case.toml");
@@ -146,7 +164,7 @@ TEST(Motion, IsWrittenAsItWasRead) {
   EXPECT_EQ(again.walls[0].motion.translation, c.walls[0].motion.translation);
   EXPECT_EQ(again.walls[0].motion.rotation, "0.1*t");
   EXPECT_EQ(again.walls[0].motion.about, c.walls[0].motion.about);
-  EXPECT_TRUE(again.symmetry.planes[0][0]);
+  EXPECT_TRUE(again.symmetry.planes[0][1]);
 }
 
 }  // namespace
