@@ -57,6 +57,7 @@ Simulation::Simulation(Model model, Unstarted)
   for (std::size_t k = 0; k < runs.size(); ++k)
     sequence_.push_back({action_table[k], runs[k], timers_.add(action_table[k].label)});
   model_.particles.shrink();
+  find_present_walls();
 }
 
 Simulation::Simulation(Model model) : Simulation(std::move(model), Unstarted{}) {
@@ -71,6 +72,7 @@ Simulation::Simulation(Model model, Archive& saved) : Simulation(std::move(model
   motion_vote_.reason = motion_limit;
   sort_by_material();
   for (MovingWall& wall : model_.walls.bodies) wall.state = wall.motion.at(time_);
+  find_present_walls();
   half_step_factor_ = 1.0;
 }
 

@@ -122,6 +122,7 @@ class Simulation {
   void evaluate_rates();
   void begin_stage();
   void remove_walls(std::span<std::uint64_t const> ids);
+  void find_present_walls();
   void transform(Transformation const& change);
 
   void change_stage();
@@ -161,8 +162,9 @@ class Simulation {
   std::array<double, 3> wall_impulse_{};
   Guards guards_;
   BookedEnergy booked_;
-  double damping_power_ = 0.0;  // W, at the last rates
-  double fastest_ = 0.0;        // m/s, speed at the end of a step
+  std::vector<std::uint8_t> wall_is_present_;  // of the moving walls: 0 where a stage removed it
+  double damping_power_ = 0.0;                 // W, at the last rates
+  double fastest_ = 0.0;                       // m/s, speed at the end of a step
   std::function<void(Simulation const&)> on_new_rates_;
   double time_ = 0.0;
   double half_step_factor_ = 0.0;  // 0 while rates are evaluated anew, else 1

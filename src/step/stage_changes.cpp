@@ -35,6 +35,7 @@ void Simulation::remove_walls(std::span<std::uint64_t const> ids) {
       removed.push_back(static_cast<std::uint32_t>(i));
   store.remove(removed);
   search_.forget_walls();
+  find_present_walls();
 }
 
 void Simulation::transform(Transformation const& change) {

@@ -13,7 +13,9 @@ namespace moraine {
 Vote Simulation::vote_of_walls() const {
   double const h = model_.numerics.smoothing_length();
   Vote vote;
-  for (MovingWall const& wall : model_.walls.bodies) {
+  for (std::size_t w = 0; w < model_.walls.bodies.size(); ++w) {
+    if (wall_is_present_[w] == 0) continue;
+    MovingWall const& wall = model_.walls.bodies[w];
     double const speed = wall.state.largest_speed(wall.radius);
     double const acceleration = wall.state.largest_acceleration(wall.radius);
     vote = stricter(vote, {longest_motion * h / speed, wall_motion_limit, Vote::nobody});
@@ -26,8 +28,11 @@ Vote Simulation::vote_of_walls() const {
 /// No wall is faster [m/s].
 double Simulation::speed_of_walls() const {
   double fastest = 0.0;
-  for (MovingWall const& wall : model_.walls.bodies)
-    fastest = std::max(fastest, wall.state.largest_speed(wall.radius));
+  for (std::size_t w = 0; w < model_.walls.bodies.size(); ++w) {
+    MovingWall const& wall = model_.walls.bodies[w];
+    if (wall_is_present_[w] != 0)
+      fastest = std::max(fastest, wall.state.largest_speed(wall.radius));
+  }
   return fastest;
 }
 
@@ -55,6 +60,17 @@ void Simulation::move_walls() {
     }
   });
   check_places_of_walls();
+}
+
+void Simulation::find_present_walls() {
+  WallData const& walls = model_.walls;
+  wall_is_present_.assign(walls.bodies.size(), 0);
+  if (!walls.move()) return;
+  Range const range = model_.particles.range(Kind::wall);
+  for (std::uint64_t const id : model_.particles.id().subspan(range.begin, range.size())) {
+    std::uint16_t const body = walls.points[id - walls.first_id].body;
+    if (body != WallPoint::at_rest) wall_is_present_[body] = 1;
+  }
 }
 
 /// Beyond its box the search knows no places.

@@ -150,6 +150,30 @@ TEST(MovingWall, WaterTurnsWithItsTank) {
   EXPECT_LE(pressure_error / span, 0.05);
 }
 
+// A wall that a stage has removed limits no step any more.
+TEST(MovingWall, RemovedWallsDoNotVote) {
+  Case c = tank(Precision::full);
+  c.time.fixed_step = 0.0;
+  WallSpec gate;
+  gate.name = "gate";
+  gate.form = WallForm::solid;
+  gate.box = {{0.2, 0.6, 0.0}, {0.4, 0.7, 0.0}};
+  gate.motion.motion.emplace();
+  gate.motion.motion->translation[1] = TimeCourse::formula("200 * t", 1e-6);
+  c.walls.push_back(gate);
+  c.stages.resize(2);
+  c.stages[0].name = "lift";
+  c.stages[0].until.after = 1e-3;
+  c.stages[1].name = "free";
+  c.stages[1].remove_wall = "gate";
+  Simulation simulation(build_model(c));
+  simulation.advance();
+  EXPECT_EQ(simulation.vote().reason, wall_motion_limit);
+  while (simulation.stages_to_come() > 0) simulation.advance();
+  simulation.advance();
+  EXPECT_NE(simulation.vote().reason, wall_motion_limit);
+}
+
 // A piston of constant speed in water at rest drives a shock whose pressure is the Hugoniot's.
 TEST(MovingWall, PistonDrivesTheShockOfItsHugoniot) {
   double const speed = 500.0;
