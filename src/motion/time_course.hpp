@@ -14,7 +14,7 @@ struct CourseState {
   double second_rate = 0.0;  // 1/s^2 of the value
 };
 
-/// A function of time from 0 on; zero by default. Copies share what is read only.
+/// A function of time from 0 on; zero by default. Copies share an evaluator; one thread at a time.
 class TimeCourse {
  public:
   TimeCourse() = default;

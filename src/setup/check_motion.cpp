@@ -101,7 +101,8 @@ class MotionCheck {
       course = TimeCourse::formula(text, step);
     } catch (std::invalid_argument const& error) {
       return wrong(name,
-                   fmt::format("holds \"{}\", which is no formula of t: {}", text, error.what()));
+                   fmt::format("holds \"{}\", which is no formula of t: {}", text, error.what()),
+                   "formulas have no units: lengths in m, angles in rad, t in s");
     }
     return is_smooth(text, name, course);
   }

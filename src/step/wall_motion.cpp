@@ -9,6 +9,7 @@
 #include "step/simulation_error.hpp"
 
 namespace moraine {
+
 /// A wall may neither pass the fluid within a step nor be accelerated so that the step misses it.
 Vote Simulation::vote_of_walls() const {
   double const h = model_.numerics.smoothing_length();

@@ -11,6 +11,7 @@
 #include "setup/read_case.hpp"
 #include "step/simulation_setup.hpp"
 #include "support/small_models.hpp"
+#include "support/tank_with_block.hpp"
 
 namespace moraine {
 namespace {
@@ -192,41 +193,7 @@ TEST(WallProbe, StillWaterPressesOnTheSidesAndItsWeightOnTheBottom) {
   EXPECT_NEAR(read["all torque_z"], -turn, 1e-6 * weight);
 }
 
-constexpr char const* block_in_tank = R"(
-space.dimension = 2
-physics.gravity = [0.0, -9.81]
-resolution = { spacing = 0.02, smoothing_factor = 1.5 }
-numerics = { viscosity_alpha = 0.1, viscosity_beta = 0.0, density_diffusion = 0.1 }
-time.end = 0.3
-material.water = { eos = "tait", reference_sound_speed = 34.3 }
-[[region]]
-name = "left"
-material = "water"
-hydrostatic_level = 0.6
-box = { min = [0.0, 0.0], max = [0.4, 0.6] }
-[[region]]
-name = "right"
-material = "water"
-hydrostatic_level = 0.6
-box = { min = [0.6, 0.0], max = [1.0, 0.6] }
-[[region]]
-name = "above"
-material = "water"
-hydrostatic_level = 0.6
-box = { min = [0.4, 0.36], max = [0.6, 0.6] }
-[[region]]
-name = "below"
-material = "water"
-hydrostatic_level = 0.6
-box = { min = [0.4, 0.0], max = [0.6, 0.16] }
-[[wall]]
-name = "tank"
-container = { min = [0.0, 0.0], max = [1.0, 0.8] }
-open = ["y+"]
-[[wall]]
-name = "block"
-solid = { min = [0.4, 0.16], max = [0.6, 0.36] }
-[[gauge]]
+constexpr char const* gauges_at_block = R"([[gauge]]
 name = "block"
 kind = "wall"
 wall = "block"
@@ -239,7 +206,7 @@ part = { min = [0.42, 0.15], max = [0.58, 0.17] }
 )";
 
 TEST(WallProbe, ABlockIsLiftedByTheWaterItDisplaces) {
-  Case const c = parse_case(block_in_tank, "block");
+  Case const c = parse_case(tank_with_block("0.3", gauges_at_block), "block");
   Simulation simulation(build_model(c));
   while (simulation.running()) simulation.advance();
   Readings const read(c, simulation);

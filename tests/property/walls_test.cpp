@@ -11,6 +11,7 @@
 #include "setup/read_case.hpp"
 #include "step/simulation_setup.hpp"
 #include "support/small_models.hpp"
+#include "support/tank_with_block.hpp"
 
 namespace moraine {
 namespace {
@@ -19,42 +20,6 @@ constexpr double rho_0 = 1000.0;  // kg/m^3
 constexpr double g = 9.81;        // m/s^2
 constexpr double depth = 0.6;     // m
 constexpr double sound = 34.3;    // m/s, ten times sqrt(2 g depth)
-
-constexpr char const* tank_with_block = R"(
-space.dimension = 2
-physics.gravity = [0.0, -9.81]
-resolution = { spacing = 0.02, smoothing_factor = 1.5 }
-numerics = { viscosity_alpha = 0.1, viscosity_beta = 0.0, density_diffusion = 0.1 }
-time.end = 0.5
-material.water = { eos = "tait", reference_sound_speed = 34.3 }
-[[region]]
-name = "left"
-material = "water"
-hydrostatic_level = 0.6
-box = { min = [0.0, 0.0], max = [0.4, 0.6] }
-[[region]]
-name = "right"
-material = "water"
-hydrostatic_level = 0.6
-box = { min = [0.6, 0.0], max = [1.0, 0.6] }
-[[region]]
-name = "above"
-material = "water"
-hydrostatic_level = 0.6
-box = { min = [0.4, 0.36], max = [0.6, 0.6] }
-[[region]]
-name = "below"
-material = "water"
-hydrostatic_level = 0.6
-box = { min = [0.4, 0.0], max = [0.6, 0.16] }
-[[wall]]
-name = "tank"
-container = { min = [0.0, 0.0], max = [1.0, 0.8] }
-open = ["y+"]
-[[wall]]
-name = "block"
-solid = { min = [0.4, 0.16], max = [0.6, 0.36] }
-)";
 
 /// The case with one of its walls only, and the fluid as it is in `state`.
 Model with_one_wall(Model const& state, Case const& c, std::size_t wall) {
@@ -88,7 +53,7 @@ std::array<double, 3> force_of_wall(Model const& state, Case const& c, std::size
 }
 
 TEST(Walls, StillWaterAroundABlockStaysStillAndBearsIt) {
-  Case const c = parse_case(tank_with_block, "block");
+  Case const c = parse_case(tank_with_block("0.5"), "block");
   Simulation simulation(build_model(c));
   std::size_t const count = simulation.particles().range(Kind::fluid).size();
   double fastest = 0.0;

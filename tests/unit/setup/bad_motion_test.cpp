@@ -49,7 +49,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"", tank + "motion.translation = [\"x\", \"0\"]",
             "case.toml:19:22: wall.tank.motion.translation: [\"x\", \"0\"] holds \"x\", which is "
             "no "
-            "formula of t: Unexpected token \"x\" found at position 0."},
+            "formula of t: Unexpected token \"x\" found at position 0.; formulas have no units: "
+            "lengths in m, angles in rad, t in s"},
         Bad{"", tank + "motion.translation = [\"1/t\", \"0\"]",
             "case.toml:19:22: wall.tank.motion.translation: [\"1/t\", \"0\"] holds \"1/t\", which "
             "is "
@@ -57,7 +58,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"", tank + "motion.rotation = \"sin(\"",
             "case.toml:19:19: wall.tank.motion.rotation: \"sin(\" holds \"sin(\", which is no "
             "formula "
-            "of t: Unexpected end of expression at position 5"},
+            "of t: Unexpected end of expression at position 5; formulas have no units: lengths in "
+            "m, angles in rad, t in s"},
         Bad{"", tank + "motion.about = [1, 1]",
             "case.toml:19:16: wall.tank.motion.about: [1, 1] says how to turn, but nothing turns; "
             "give motion.rotation or motion.file"},
@@ -78,7 +80,8 @@ INSTANTIATE_TEST_SUITE_P(
             "\"t>0.5?0.3:0\", which jumps by 0.3 before t = 0.500618 s"},
         Bad{"", tank + "motion.rotation = \"t = 1\"",
             "case.toml:19:19: wall.tank.motion.rotation: \"t = 1\" holds \"t = 1\", which is no "
-            "formula of t: nothing can be assigned; compare with =="},
+            "formula of t: nothing can be assigned; compare with ==; formulas have no units: "
+            "lengths in m, angles in rad, t in s"},
         Bad{"domain = { min = [0, -1], max = [3, 3] }\nsymmetry = [\"x-\"]",
             tank + "motion.translation = [\"0.1*t\", \"0\"]",
             "case.toml:20:22: wall.tank.motion.translation: [\"0.1*t\", \"0\"] moves the wall "
