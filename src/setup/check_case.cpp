@@ -47,7 +47,7 @@ class CaseCheck {
       std::string_view const form =
           case_.walls[i].form == WallForm::container ? ".container" : ".solid";
       check_box(case_.walls[i].box, keys_.walls[i] + std::string(form));
-      check_motion(case_.walls[i].motion, keys_.walls[i] + ".motion.", case_, source_);
+      check_motion(case_.walls[i], keys_.walls[i] + ".motion.", case_, source_);
     }
     for (std::size_t i = 0; i < case_.gauges.size(); ++i)
       if (case_.gauges[i].kind == GaugeKind::front)
@@ -188,7 +188,7 @@ class CaseCheck {
 
   void check_motion_inside(WallSpec const& wall, std::string const& key) {
     if (!wall.motion.motion) return;
-    Box const swept = swept_box(wall.box, wall.motion, case_);
+    Box const swept = swept_box(wall, case_);
     check_motion_at_planes(wall, swept, key);
     if (is_inside(swept, with_mirror_images(case_.domain, case_), case_.dimension)) return;
     for (auto const* name : {"translation", "rotation", "file"})

@@ -32,8 +32,8 @@ double difference_step(Case const& c) {
 
 class MotionCheck {
  public:
-  MotionCheck(MotionSpec& spec, std::string const& key, Case const& c, Source& source)
-      : spec_(spec), key_(key), case_(c), source_(source) {}
+  MotionCheck(WallSpec& wall, std::string const& key, Case const& c, Source& source)
+      : spec_(wall.motion), end_(end_of_wall(c, wall)), key_(key), case_(c), source_(source) {}
 
   void run() {
     if (!spec_.given()) {
@@ -65,9 +65,9 @@ class MotionCheck {
     try {
       FiledMotion const filed = read_motion_file(path, case_.dimension);
       motion = filed.motion;
-      if (filed.end < case_.time.end)
-        return wrong("file", fmt::format("ends at {:.6g} s, before the run at {:.6g} s", filed.end,
-                                         case_.time.end));
+      if (filed.end < end_)
+        return wrong("file", fmt::format("ends at {:.6g} s, before the {} at {:.6g} s", filed.end,
+                                         end_ < case_.time.end ? "wall" : "run", end_));
       for (std::size_t k = 0; k < 4; ++k) {
         TimeCourse const& course = k < 3 ? motion.translation[k] : motion.rotation;
         if (std::fabs(course.at(0.0).value) > 1e-9 * case_.numerics.spacing)
@@ -109,7 +109,7 @@ class MotionCheck {
 
   /// What stands still at the start, is a number throughout, and does not jump.
   bool is_smooth(std::string const& text, std::string const& name, TimeCourse const& course) {
-    double const interval = case_.time.end / instants;
+    double const interval = end_ / instants;
     CourseState before;
     for (int n = 0; n <= instants; ++n) {
       // Between round times, so that the differences of a rate do not span a jump.
@@ -144,6 +144,7 @@ class MotionCheck {
   }
 
   MotionSpec& spec_;
+  double end_;  // s, up to which the motion matters
   std::string const& key_;
   Case const& case_;
   Source& source_;
@@ -151,17 +152,29 @@ class MotionCheck {
 
 }  // namespace
 
-void check_motion(MotionSpec& spec, std::string const& key, Case const& c, Source& source) {
+void check_motion(WallSpec& wall, std::string const& key, Case const& c, Source& source) {
   if (c.dimension == 0) return;
-  MotionCheck(spec, key, c, source).run();
+  MotionCheck(wall, key, c, source).run();
 }
 
-Box swept_box(Box const& box, MotionSpec const& spec, Case const& c) {
-  if (!spec.motion) return box;
+double end_of_wall(Case const& c, WallSpec const& wall) {
+  double begins = 0.0;  // of the stage, at the latest
+  for (StageSpec const& stage : c.stages) {
+    if (!wall.name.empty() && stage.remove_wall == wall.name) return std::min(begins, c.time.end);
+    if (!stage.until.after) break;
+    begins += *stage.until.after;
+  }
+  return c.time.end;
+}
+
+Box swept_box(WallSpec const& wall, Case const& c) {
+  Box const& box = wall.box;
+  if (!wall.motion.motion) return box;
+  double const end = end_of_wall(c, wall);
   auto const axes = static_cast<std::size_t>(c.dimension);
   Box swept = box;
   for (int n = 0; n <= instants; ++n) {
-    RigidState const state = spec.motion->at(c.time.end * n / instants);
+    RigidState const state = wall.motion.motion->at(end * n / instants);
     for (std::size_t corner = 0; corner < (std::size_t{1} << axes); ++corner) {
       Point place{};
       for (std::size_t k = 0; k < axes; ++k)

@@ -9,12 +9,16 @@
 
 namespace moraine {
 
-/// Checks the motion of a wall whose keys begin with `key` ("wall.gate.motion."), and makes
-/// spec.motion; reports mistakes to the source.
-void check_motion(MotionSpec& spec, std::string const& key, Case const& c, Source& source);
+/// Checks the motion of a wall, whose keys begin with `key` ("wall.gate.motion."), and makes
+/// wall.motion.motion; reports mistakes to the source.
+void check_motion(WallSpec& wall, std::string const& key, Case const& c, Source& source);
 
-/// The box around all places of a box that moves, from the start to the end of the run; between
-/// 1000 instants the motion is not looked at.
-Box swept_box(Box const& box, MotionSpec const& spec, Case const& c);
+/// Until when a wall is there at the latest [s]: until the stage that removes it begins, where all
+/// stages before that one end by time, else to the end of the run.
+double end_of_wall(Case const& c, WallSpec const& wall);
+
+/// The box around all places of a wall as long as it is there; between 1000 instants the motion is
+/// not looked at.
+Box swept_box(WallSpec const& wall, Case const& c);
 
 }  // namespace moraine

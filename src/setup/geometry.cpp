@@ -51,7 +51,7 @@ std::optional<Box> default_domain(Case const& c) {
   bool bounded = false;
   auto const add = [&](Box const& other) { box = box ? around(*box, other) : other; };
   for (auto const& wall : c.walls) {
-    add(swept_box(wall.box, wall.motion, c));
+    add(swept_box(wall, c));
     bounded = bounded || wall.form == WallForm::container;
   }
   for (auto const& region : c.regions)

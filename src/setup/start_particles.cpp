@@ -37,6 +37,17 @@ bool lies_in(WallSpec const& wall, Point const& point, int dimension, double gro
   return true;
 }
 
+/// Widest spacing [m] that the particles began with: from mass and reference density.
+double widest_spacing(Case const& c) {
+  ParticleStore const& store = *c.start.particles;
+  double widest = 0.0;
+  for (std::size_t i : kept_start_particles(c)) {
+    auto const& eos = c.materials[start_material(c, store.material()[i])].eos;
+    widest = std::max(widest, store.scalar(Field::mass)[i] / reference_density(eos));
+  }
+  return std::pow(widest, 1.0 / c.dimension);
+}
+
 class StartCheck {
  public:
   explicit StartCheck(Case const& c) : case_(c), store_(*c.start.particles) {}
@@ -176,6 +187,20 @@ void add_start_warnings(Case const& c, std::vector<InputProblem>& warnings) {
     warnings.push_back(problem_of(
         c, "start.run",
         fmt::format("loses {} of its {} particles to regions of this case", all - kept, all)));
+  double const h = c.numerics.smoothing_length();
+  if (double const spacing = widest_spacing(c); h < 0.8 * spacing)
+    warnings.push_back(problem_of(
+        c, "resolution.smoothing_factor",
+        fmt::format("makes the smoothing length {:.4g} m, {:.2g} of the widest spacing, {:.4g} m, "
+                    "that comes from the other run",
+                    h, h / spacing, spacing),
+        "particles would hardly feel their neighbours: raise it"));
+  for (RegionSpec const& region : c.regions)
+    if (region.initial.lithostatic_load)
+      warnings.push_back(
+          problem_of(c, "region." + region.name + ".lithostatic_load",
+                     "counts the weight of the regions above alone, not that of particles which "
+                     "come from the other run"));
   for (MaterialSpec const& material : c.materials)
     for (StartMaterial const& other : info.materials) {
       if (other.name != material.name) continue;

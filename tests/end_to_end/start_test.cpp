@@ -13,117 +13,18 @@
 #include <thread>
 #include <vector>
 
-#include "output/checkpoint/checkpoints.hpp"
+#include "end_to_end/start_from_a_run.hpp"
 #include "output/checkpoint/run_state.hpp"
 #include "output/checkpoint/start_reader.hpp"
 #include "output/manifest.hpp"
 #include "setup/build_model.hpp"
 #include "setup/case_report.hpp"
 #include "setup/case_size.hpp"
-#include "setup/read_case.hpp"
 #include "setup/start_particles.hpp"
 #include "setup/used_case.hpp"
-#include "support/program.hpp"
-#include "unit/output/scratch_folder.hpp"
 
 namespace moraine {
 namespace {
-
-// Everything but regions, start and end.
-std::string pool(std::string const& end, std::string const& sound_speed = "100") {
-  return R"(space.dimension = 2
-physics.gravity = [0.0, -9.81]
-resolution.spacing = 0.02
-numerics.continuity = "volume"
-time.end = )" +
-         end + R"(
-output = { frames = "2 ms", gauges = "1 ms", checkpoints = "20 ms" }
-[material.water]
-eos = "tait"
-reference_sound_speed = )" +
-         sound_speed + R"(
-[material.tnt]
-use = "tnt"
-[[wall]]
-name = "tank"
-container = { min = [0, 0], max = [1, 0.8] }
-open = ["y+"]
-[[gauge]]
-name = "wall"
-position = [0.96, 0.05]
-)";
-}
-
-constexpr char const* water = R"([[region]]
-name = "water"
-material = "water"
-box = { min = [0, 0], max = [0.6, 0.4] }
-)";
-constexpr char const* from_settled = "[start]\nrun = \"settled\"\n";
-constexpr char const* charge = R"([[region]]
-name = "charge"
-material = "tnt"
-disc = { center = [0.3, 0.2], radius = 0.05 }
-equal_mass_with = "pellet"
-[[region]]
-name = "pellet"
-material = "tnt"
-box = { min = [0.28, 0.18], max = [0.32, 0.22] }
-)";
-
-class StartFromARun : public ScratchFolder {
- protected:
-  void SetUp() override {
-    ScratchFolder::SetUp();
-    write(path("settle.toml"), pool("0.02") + water);
-    ASSERT_EQ(run("settle.toml", "settled").code, 0);
-  }
-  CommandResult run(std::string const& file, std::string const& folder) {
-    return moraine_command(path(""), {"run", file, "-o", folder});
-  }
-  CommandResult command(std::string const& name, std::string const& text) {
-    write(path("next.toml"), text);
-    std::vector<std::string> arguments{name, "next.toml"};
-    if (name == "preview") arguments.insert(arguments.end(), {"--output", "pictures"});
-    return moraine_command(path(""), arguments);
-  }
-  Case started(std::string const& text) {
-    write(path("next.toml"), text);
-    Case c = read_case(path("next.toml"));
-    read_start(c);
-    return c;
-  }
-  RestoredRun end_of(std::string const& folder) {
-    std::vector<std::string> skipped;
-    return restore_run(*Checkpoints(path(folder)).newest(skipped), path(folder), 1);
-  }
-  /// All results with their content. HDF5 files and the manifest hold times of the clock.
-  std::map<std::string, std::string> results(std::string const& folder) const {
-    std::map<std::string, std::string> files;
-    for (auto const& entry : std::filesystem::recursive_directory_iterator(path(folder))) {
-      std::string const name = std::filesystem::relative(entry.path(), path(folder)).string();
-      if (entry.is_regular_file() && name != "manifest.json" && name != "start.h5" &&
-          !name.starts_with("checkpoints"))
-        files[name] = bytes_of(entry.path());
-    }
-    return files;
-  }
-  /// Waits until a run that has been started has saved its state so often.
-  void wait_for_checkpoints(std::string const& folder, std::ptrdiff_t wanted) const {
-    auto const count = [&] {
-      std::error_code none;
-      std::filesystem::directory_iterator files(path(folder) / "checkpoints", none);
-      return std::count_if(begin(files), end(files),
-                           [](auto const& e) { return e.path().extension() == ".h5"; });
-    };
-    for (int tries = 0; tries < 6000 && count() < wanted; ++tries)
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  std::string mistake(std::string const& text) {
-    std::string const all = message_of<InputErrors>([&] { started(text); });
-    return all.substr(all.find("next.toml") + 10);
-  }
-};
 
 std::vector<std::size_t> by_id(ParticleStore const& store) {
   std::vector<std::size_t> order(store.range(Kind::fluid).size());
@@ -254,107 +155,6 @@ TEST_F(StartFromARun, OtherCommandsKnowTheState) {
   CommandResult const step = moraine_command(path(""), {"explain", "--step", "next.toml"});
   EXPECT_EQ(step.code, 0) << step.err;
   EXPECT_NE(step.out.find(" of settled, time 0.02 s"), std::string::npos) << step.out;
-}
-
-TEST_F(StartFromARun, DoubtsOtherConstantsAndRunsThatAreNotOver) {
-  auto const warnings = [&](std::string const& text) {
-    std::string all;
-    for (auto const& warning : report_case(started(text)).warnings) all += format(warning) + '\n';
-    return all;
-  };
-  EXPECT_EQ(warnings(pool("0.01") + from_settled).find("start.run"), std::string::npos);
-  EXPECT_NE(
-      warnings(pool("0.01", "90") + from_settled)
-          .find("material.water: is another one in the run that the case starts from: "
-                "\"reference_sound_speed = 100.0  # m/s\" there, \"reference_sound_speed = 90.0  "
-                "# m/s\" here; its particles keep density and energy, not pressure"),
-      std::string::npos)
-      << warnings(pool("0.01", "90") + from_settled);
-  std::string half(water);
-  half.replace(half.find("0.6, 0.4"), 8, "0.5, 0.5");
-  EXPECT_NE(warnings(pool("0.01") + from_settled + half)
-                .find("start.run: \"settled\" loses 500 of its 600 particles to regions of this "
-                      "case"),
-            std::string::npos)
-      << warnings(pool("0.01") + from_settled + half);
-  write(path("settle.toml"), pool("100") + water);
-  Program program(path(""), {"run", "settle.toml", "-o", "unfinished"});
-  wait_for_checkpoints("unfinished", 1);
-  program.send(SIGINT);
-  ASSERT_EQ(program.wait().code, 130);
-  std::string unfinished = pool("0.01") + from_settled;
-  unfinished.replace(unfinished.find("\"settled\""), 9, "\"unfinished\"");
-  std::string const text = warnings(unfinished);
-  EXPECT_NE(text.find("start.run: \"unfinished\" had not reached its end: the state is that of "),
-            std::string::npos)
-      << text;
-}
-
-TEST_F(StartFromARun, RefusesWhatDoesNotGoTogether) {
-  auto const swapped = [](std::string text, std::string const& from, std::string const& to) {
-    return text.replace(text.find(from), from.size(), to);
-  };
-  std::string const good = pool("0.01") + from_settled;
-  EXPECT_EQ(mistake(swapped(good, "\"settled\"", "\"setled\"")),
-            "20:7: start.run: \"setled\" is not a folder; name the folder of a run; its path "
-            "counts from the case file");
-  EXPECT_EQ(
-      mistake(swapped(good, "[start]\nrun = \"settled\"\n", "[start]\nvelocities = \"zero\"\n")),
-      "19:1: start.run: is missing: folder of another run, from whose newest checkpoint the "
-      "case takes its particles; its path counts from the case file");
-  std::filesystem::create_directories(path("empty"));
-  EXPECT_EQ(mistake(swapped(good, "\"settled\"", "\"empty\"")),
-            "20:7: start.run: \"empty\" holds no run; name the folder of a run");
-  EXPECT_EQ(mistake(swapped(good, "spacing = 0.02", "spacing = 0.01")),
-            "3:22: resolution.spacing: 0.01 differs from the spacing of the run that the case "
-            "starts from, 0.02 m");
-  EXPECT_EQ(mistake(swapped(good, "[material.water]", "[material.watr]")),
-            "20:7: start.run: \"settled\" holds particles of the material \"water\", which this "
-            "case does not have; did you mean \"watr\"?");
-  EXPECT_EQ(mistake("space.dimension = 1\nresolution.spacing = 0.02\ntime.end = 1\n"
-                    "[space.domain]\nmin = [0]\nmax = [1]\n"
-                    "[material.water]\neos = \"tait\"\n" +
-                    std::string(from_settled)),
-            "1:19: space.dimension: 1 differs from the dimension of the run that the case starts "
-            "from, 2");
-  std::string const narrow = mistake(swapped(good, "max = [1, 0.8]", "max = [0.5, 0.8]"));
-  EXPECT_TRUE(narrow.starts_with("20:7: start.run: \"settled\" has ")) << narrow;
-  EXPECT_NE(narrow.find(" particles inside a wall, the first at (0.5"), std::string::npos)
-      << narrow;
-  EXPECT_EQ(
-      mistake(good + swapped(water, "max = [0.6, 0.4]", "max = [1, 0.8]")),
-      "20:7: start.run: \"settled\" has no particle that stays: regions of this case fill all "
-      "their places; leave out the regions that the other run began with");
-  std::string small = swapped(good, "max = [1, 0.8]", "max = [0.3, 0.8]");
-  small = mistake(swapped(small, "[0.96, 0.05]", "[0.2, 0.05]") +
-                  "[space.domain]\nmin = [0, 0]\nmax = [0.3, 0.8]\n");
-  EXPECT_NE(small.find(" particles outside the domain, the first at (0.3"), std::string::npos)
-      << small;
-}
-
-TEST_F(StartFromARun, RefusesDamagedStatesAndItsOwnFolder) {
-  std::string const good = pool("0.001") + from_settled;
-  write(path("next.toml"), good);
-  CommandResult const own =
-      moraine_command(path(""), {"run", "next.toml", "-o", "settled", "--force"});
-  EXPECT_EQ(own.code, 2);
-  EXPECT_NE(own.err.find("next.toml:20:7: start.run: \"settled\" is the folder of this run's own "
-                         "results; choose another folder with --output"),
-            std::string::npos)
-      << own.err;
-  ASSERT_EQ(run("next.toml", "next").code, 0);
-  write(path("next/start.h5"), "moraine checkpoint, cut");
-  std::filesystem::remove(path("next/manifest.json"));  // as if it was killed
-  CommandResult const resumed = moraine_command(path(""), {"resume", "next"});
-  EXPECT_EQ(resumed.code, 1);
-  EXPECT_NE(resumed.err.find("start.h5 is cut off: the state that the run started from is lost"),
-            std::string::npos)
-      << resumed.err;
-  for (auto const& entry : std::filesystem::directory_iterator(path("settled/checkpoints")))
-    write(entry.path(), "moraine checkpoint, cut");
-  std::string const text = mistake(good);
-  EXPECT_TRUE(text.starts_with("20:7: start.run: \"settled\" has no whole checkpoint; ")) << text;
-  EXPECT_NE(text.find(" is cut off"), std::string::npos) << text;
 }
 
 }  // namespace

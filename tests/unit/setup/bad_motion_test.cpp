@@ -108,6 +108,26 @@ INSTANTIATE_TEST_SUITE_P(
             tank,
             "case.toml:5:12: space.symmetry: [\"x-\"] makes a plane of x-, but x is periodic"}));
 
+TEST(Motion, MattersAsLongAsTheWallIsThere) {
+  std::string const gate =
+      "name = \"gate\"\nsolid = { min = [2, 0], max = [2.4, 2] }\n"
+      "motion.translation = [\"2*t\", \"0\"]\n";
+  std::string const domain = "domain = { min = [-1, -1], max = [3, 3] }";
+  auto const stages = [](std::string const& until) {
+    return "[[stage]]\nname = \"opening\"\nuntil = " + until +
+           "\n[[stage]]\nname = \"open\"\nremove_wall = \"gate\"\n";
+  };
+  EXPECT_NE(error_of(text_of(domain, gate)).find("moves the wall out of the domain"),
+            std::string::npos);
+  EXPECT_NO_THROW(parse_case(text_of(domain, gate + stages("{ after = 0.25 }")), "case.toml"));
+  EXPECT_NE(error_of(text_of(domain, gate + stages("{ after = 0.4 }"))).find("out of the domain"),
+            std::string::npos);
+  // When it goes is not known: the whole of its path counts.
+  EXPECT_NE(error_of(text_of(domain, gate + stages("{ rms_speed_below = 1, steady_for = 0.1 }")))
+                .find("out of the domain"),
+            std::string::npos);
+}
+
 class MotionFile : public ScratchFolder {};
 
 struct BadFile {
