@@ -7,7 +7,7 @@ namespace moraine {
 
 /// A text file as it was when the program was built.
 struct EmbeddedText {
-  std::string_view name;  // of the file, without its ending
+  std::string_view name;  // of the file, without its ending; of a case, that of its folder
   std::string_view text;
 };
 

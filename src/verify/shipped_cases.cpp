@@ -8,7 +8,7 @@
 namespace moraine {
 
 Case shipped_case(std::string_view name) {
-  for (ShippedCase const& shipped : shipped_cases())
+  for (EmbeddedText const& shipped : shipped_cases())
     if (shipped.name == name)
       return parse_case(shipped.text, "cases/" + std::string(name) + "/case.toml");
   throw std::invalid_argument("no case of this name is part of the program: " + std::string(name));

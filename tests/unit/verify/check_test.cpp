@@ -110,7 +110,7 @@ TEST(Report, TableAndSummaryNameWhatFails) {
 
 TEST(ShippedCases, AllReadAndOneIsNotThere) {
   std::set<std::string_view> names;
-  for (ShippedCase const& shipped : shipped_cases()) {
+  for (EmbeddedText const& shipped : shipped_cases()) {
     names.insert(shipped.name);
     EXPECT_NO_THROW(shipped_case(shipped.name)) << shipped.name;
   }
