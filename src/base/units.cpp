@@ -157,8 +157,7 @@ std::string dimension_hint(double value, std::string_view unit, Dimension const&
   if (expected.unit == info(Quantity::acceleration).unit && unit == "g")
     return fmt::format("g is gram; did you mean \"{} g0\" (standard gravity)?", value);
   if (unit.empty())
-    return fmt::format("write {0} without quotes for SI, or \"{0} {1}\"", value,
-                       expected.unit);
+    return fmt::format("write {0} without quotes for SI, or \"{0} {1}\"", value, expected.unit);
   return {};
 }
 

@@ -23,13 +23,13 @@ double bubble_period(double charge_mass, double depth);
 /// Energy of the bubble [J]: Y = (4 pi/3) P_0 a_m^3, P_0 the pressure of the water at the charge.
 double bubble_energy(double radius, double water_pressure);
 
-/// First period [s] from the radius: T = 1.83 a_m sqrt(rho_0/P_0), which is 1.14 rho_0^(1/2) Y^(1/3)
-/// P_0^(-5/6). An empty cavity in water without compressibility (Rayleigh, Phil. Mag. 34 (1917) 94):
-/// 1.83 is twice 0.91468. No surface, no bed, no gravity.
+/// First period [s] from the radius: T = 1.83 a_m sqrt(rho_0/P_0), which is 1.14 rho_0^(1/2)
+/// Y^(1/3) P_0^(-5/6). An empty cavity in water without compressibility (Rayleigh, Phil. Mag. 34
+/// (1917) 94): 1.83 is twice 0.91468. No surface, no bed, no gravity.
 double rayleigh_period(double radius, double density, double water_pressure);
 
-/// The same from the energy [J]. Source: H. F. Willis (1941), in Cole, Underwater Explosions (1948),
-/// chapter 8.
+/// The same from the energy [J]. Source: H. F. Willis (1941), in Cole, Underwater Explosions
+/// (1948), chapter 8.
 double willis_period(double energy, double density, double water_pressure);
 
 }  // namespace moraine::blast

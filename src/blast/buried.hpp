@@ -20,8 +20,8 @@ std::span<Soil const> soils();
 Soil const* find_soil(std::string_view name);
 
 /// What the relations below share: W [kg of TNT], R [m] from the charge, explosive factor E (on
-/// pressure and impulse; 1 for TNT), coupling f of the charge's depth: 1 where H/W^(1/3) is at least
-/// 2 ft/lb^(1/3), and below it a number of at most 1 that must be known.
+/// pressure and impulse; 1 for TNT), coupling f of the charge's depth: 1 where H/W^(1/3) is at
+/// least 2 ft/lb^(1/3), and below it a number of at most 1 that must be known.
 struct BuriedCharge {
   double mass;
   double distance;

@@ -10,16 +10,16 @@ namespace moraine::blast {
 double crater_diameter(double charge_mass, double c);
 /// G. F. Kinney, K. J. Graham, Explosive Shocks in Air, 2nd ed. (1985): c = 0.8, within 30 %.
 inline constexpr double kinney_graham_crater = 0.8;  // m/kg^(1/3)
-/// D. Ambrosini et al., Size of craters produced by explosive charges on or above the ground surface,
-/// Shock Waves 12 (2002) 69: a spherical charge that rests on soil, c = 0.51, within 5 %.
+/// D. Ambrosini et al., Size of craters produced by explosive charges on or above the ground
+/// surface, Shock Waves 12 (2002) 69: a spherical charge that rests on soil, c = 0.51, within 5 %.
 inline constexpr double ambrosini_crater = 0.51;
 /// A hemispherical charge at ground level: c about 0.65; source not verified.
 inline constexpr double hemispherical_crater = 0.65;
 
-/// Diameter of the crater of a buried charge [m]: D = 2.6 f k^n W^(1/3) ft, W in lb, k of the soil in
-/// psi (buried.hpp), f a factor of the depth, n = 0.05.
-/// Source: C. W. Lampson (1946) as in a 2017 doctoral thesis on explosions in granular soil with SPH,
-/// chapter 3. Doubtful: it prints n = 0.5, by which 1 lb would leave 184 ft.
+/// Diameter of the crater of a buried charge [m]: D = 2.6 f k^n W^(1/3) ft, W in lb, k of the soil
+/// in psi (buried.hpp), f a factor of the depth, n = 0.05. Source: C. W. Lampson (1946) as in a
+/// 2017 doctoral thesis on explosions in granular soil with SPH, chapter 3. Doubtful: it prints n =
+/// 0.5, by which 1 lb would leave 184 ft.
 double lampson_crater_diameter(double charge_mass, double soil_k, double depth_factor);
 
 /// Volume of the closed cavity of a deep charge in clay [m^3]: 10 ft^3/lb. Source: the thesis.

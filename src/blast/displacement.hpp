@@ -19,8 +19,8 @@ struct DisplacedGround {
 std::span<DisplacedGround const> displaced_grounds();
 DisplacedGround const* find_displaced_ground(std::string_view name);
 
-/// Range of all of these in R/W^(1/3) [ft/lb^(1/3)]: no displacement beyond 10; the lower end is that
-/// of the pressures of the same source.
+/// Range of all of these in R/W^(1/3) [ft/lb^(1/3)]: no displacement beyond 10; the lower end is
+/// that of the pressures of the same source.
 inline constexpr double least_displacement_distance = 2.0;
 inline constexpr double most_displacement_distance = 10.0;
 

@@ -22,8 +22,8 @@ std::string outside(Validity const& validity, double variable) {
 
 Estimate evaluate(Relation const& relation, Situation const& situation) {
   Outcome outcome = relation.evaluate(situation);
-  Estimate estimate{&relation, outcome.value, outcome.low, outcome.high, unknown,
-                    true,      relation.standing, {}};
+  Estimate estimate{&relation, outcome.value, outcome.low,       outcome.high,
+                    unknown,   true,          relation.standing, {}};
   if (outcome.doubtful) estimate.standing = Standing::doubtful;
   if (relation.validity.known == Validity::Known::range) {
     estimate.variable = relation.validity.of(situation);
@@ -35,12 +35,11 @@ Estimate evaluate(Relation const& relation, Situation const& situation) {
   }
   if (!outcome.caution.empty()) estimate.warnings.push_back(std::move(outcome.caution));
   if (estimate.standing == Standing::doubtful)
-    estimate.warnings.push_back(relation.note.empty()
-                                    ? std::string("doubtful")
-                                    : fmt::format("doubtful: {}", relation.note));
+    estimate.warnings.push_back(relation.note.empty() ? std::string("doubtful")
+                                                      : fmt::format("doubtful: {}", relation.note));
   if (relation.sea_level_air && !situation.air_is_standard())
     estimate.warnings.emplace_back("measured in air at sea level, 101.325 kPa and 1.225 kg/m^3");
-  if (!std::isfinite(estimate.value)) estimate.in_range = false;
+  if (outcome.misused || !std::isfinite(estimate.value)) estimate.in_range = false;
   return estimate;
 }
 
@@ -71,9 +70,8 @@ Answer answer(Topic topic, Situation const& situation) {
     else if (!relation.needs.empty())
       result.unanswered.push_back({&relation, std::string(relation.needs)});
   }
-  std::ranges::stable_sort(result.estimates, {}, [](Estimate const& estimate) {
-    return estimate.relation->measure;
-  });
+  std::ranges::stable_sort(result.estimates, {},
+                           [](Estimate const& estimate) { return estimate.relation->measure; });
   result.spreads = spreads_of(result.estimates);
   return result;
 }

@@ -24,8 +24,8 @@ struct Estimate {
 /// How far relations for one measure lie apart.
 struct Spread {
   Measure measure;
-  int count;    // relations in range and not doubtful
-  double low;   // of their values
+  int count;   // relations in range and not doubtful
+  double low;  // of their values
   double high;
 };
 

@@ -36,8 +36,7 @@ double henrych_overpressure(double scaled_distance) {
   double const x = 1.0 / scaled_distance;
   if (scaled_distance <= 0.3)
     return kilopond_per_cm2 * (((0.00625 * x - 0.3572) * x + 5.5397) * x + 14.0717) * x;
-  if (scaled_distance <= 1.0)
-    return kilopond_per_cm2 * ((2.1324 * x - 0.3262) * x + 6.1938) * x;
+  if (scaled_distance <= 1.0) return kilopond_per_cm2 * ((2.1324 * x - 0.3262) * x + 6.1938) * x;
   return kilopond_per_cm2 * ((3.288 * x + 4.05) * x + 0.662) * x;
 }
 

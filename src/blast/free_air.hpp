@@ -17,8 +17,8 @@ double kinney_graham_duration(double scaled_distance);
 /// Peak overpressure [Pa], p in bar and Z in m/kg^(1/3):
 ///   p = 6.7/Z^3 + 1 where that is above 10,
 ///   p = 0.975/Z + 1.455/Z^2 + 5.85/Z^3 - 0.019 for p of 0.1 to 10.
-/// Source: H. L. Brode, J. Appl. Phys. 26 (1955) 766. Between Z = 0.906, where the first falls to 10
-/// bar, and 0.930, where the second does, neither is in its range: the second one is returned,
+/// Source: H. L. Brode, J. Appl. Phys. 26 (1955) 766. Between Z = 0.906, where the first falls to
+/// 10 bar, and 0.930, where the second does, neither is in its range: the second one is returned,
 /// above 10 bar. Below 0.1 bar it goes on, to a negative value far out.
 double brode_overpressure(double scaled_distance);
 
@@ -26,8 +26,8 @@ double brode_overpressure(double scaled_distance);
 ///   14.0717/Z + 5.5397/Z^2 - 0.3572/Z^3 + 0.00625/Z^4  for 0.05 <= Z <= 0.3,
 ///   6.1938/Z - 0.3262/Z^2 + 2.1324/Z^3                 for 0.3 < Z <= 1,
 ///   0.662/Z + 4.05/Z^2 + 3.288/Z^3                     for 1 < Z <= 10.
-/// Source: J. Henrych, The Dynamics of Explosion and its Use (1979), chapter 4. Outside, the nearest
-/// piece goes on.
+/// Source: J. Henrych, The Dynamics of Explosion and its Use (1979), chapter 4. Outside, the
+/// nearest piece goes on.
 double henrych_overpressure(double scaled_distance);
 
 /// Peak overpressure [Pa], p in psi and Z in ft/lb^(1/3):

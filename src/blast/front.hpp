@@ -12,7 +12,8 @@ struct Air {
 };
 
 /// Rankine-Hugoniot conditions for gamma = 1.4 at an overpressure p [Pa], air at rest ahead:
-///   U = c sqrt(1 + 6p/7p_a),  u = c (5p/7p_a)/sqrt(1 + 6p/7p_a),  q = rho u^2/2 = (5/2) p^2/(7p_a+p)
+///   U = c sqrt(1 + 6p/7p_a),  u = c (5p/7p_a)/sqrt(1 + 6p/7p_a),  q = rho u^2/2 = (5/2)
+///   p^2/(7p_a+p)
 /// U speed of the front, u speed of the air behind it [m/s], c^2 = gamma p_a/rho_a.
 /// Exact for the ideal gas. Above p/p_a of about 40 the vibration and dissociation of the molecules
 /// show: at p/p_a = 38 the normal reflection is 10 % below Kingery and Bulmash.

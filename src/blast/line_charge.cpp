@@ -50,7 +50,8 @@ double sachs_length(Source source, double energy, double length, double ambient_
 double line_source_overpressure(double distance_over_sachs_length) {
   double const x = std::log(distance_over_sachs_length);
   if (x <= table.front().distance)
-    return std::exp(table.front().overpressure + table.front().slope * (x - table.front().distance));
+    return std::exp(table.front().overpressure +
+                    table.front().slope * (x - table.front().distance));
   for (std::size_t i = 1; i < table.size(); ++i)
     if (x <= table[i].distance) return std::exp(hermite(table[i - 1], table[i], x));
   return std::exp(table.back().overpressure + table.back().slope * (x - table.back().distance));

@@ -39,8 +39,7 @@ constexpr std::array measures{
     MeasureInfo{rupture_radius, "rupture_radius", Kind::length, "m", "ft"},
     MeasureInfo{camouflet_volume, "camouflet_volume", Kind::volume, "m^3", "ft^3"},
     MeasureInfo{time_constant, "time_constant", Kind::time, "us", "us"},
-    MeasureInfo{energy_per_area, "energy_per_area", Kind::energy_per_area, "kJ/m^2",
-                "ft lbf/in^2"},
+    MeasureInfo{energy_per_area, "energy_per_area", Kind::energy_per_area, "kJ/m^2", "ft lbf/in^2"},
     MeasureInfo{energy_lost, "energy_lost", Kind::number, "1", "1"},
     MeasureInfo{bubble_radius, "bubble_radius", Kind::length, "m", "ft"},
     MeasureInfo{bubble_period, "bubble_period", Kind::time, "ms", "ms"},
@@ -55,7 +54,7 @@ static_assert(
     }(),
     "measures must be listed in the order of the enum");
 
-constexpr std::array<Dimension, 11> dimensions{{
+constexpr std::array<Dimension, kind_count> dimensions{{
     {"a pressure", "Pa", {"Pa", "kPa", "MPa", "bar", "psi", "atm"}},
     {"an impulse per area", "Pa s", {"Pa s", "kPa ms", "psi ms", "bar ms"}},
     {"a time", "s", {"s", "ms", "us"}},

@@ -23,6 +23,7 @@ enum class Kind : std::uint8_t {
   energy_per_area,
   number,
 };
+inline constexpr std::size_t kind_count = 11;
 
 enum class Measure : std::uint8_t {
   peak_overpressure,

@@ -47,8 +47,8 @@ TriplePoint triple_point(double pressure_ratio, double angle, double path_angle)
   if (!(stream.mach_squared > 1.0) || reflected < 1.0 ||
       reflected > strongest_ratio(stream.mach_squared))
     return {stem, std::nullopt};
-  return {stem, stream.turned - deflection(reflected, stream.mach_squared) -
-                    deflection(stem, ahead)};
+  return {stem,
+          stream.turned - deflection(reflected, stream.mach_squared) - deflection(stem, ahead)};
 }
 
 }  // namespace
@@ -59,9 +59,9 @@ std::optional<double> regular_reflection(double overpressure, double ambient_pre
   double const ratio = 1.0 + overpressure / ambient_pressure;
   Stream const stream = behind_front(ratio, angle);
   if (!attached(stream)) return std::nullopt;
-  double const reflected = bisect(
-      [&](double eta) { return deflection(eta, stream.mach_squared) - stream.turned; }, 1.0,
-      detachment_ratio(stream.mach_squared));
+  double const reflected =
+      bisect([&](double eta) { return deflection(eta, stream.mach_squared) - stream.turned; }, 1.0,
+             detachment_ratio(stream.mach_squared));
   return ambient_pressure * (ratio * reflected - 1.0);
 }
 

@@ -16,8 +16,8 @@ namespace moraine::blast {
 std::optional<double> regular_reflection(double overpressure, double ambient_pressure,
                                          double angle);
 
-/// Largest angle of regular reflection [rad], where the reflected front detaches: near pi/2 for weak
-/// fronts, 39.97 degrees for very strong ones.
+/// Largest angle of regular reflection [rad], where the reflected front detaches: near pi/2 for
+/// weak fronts, 39.97 degrees for very strong ones.
 double extreme_angle(double overpressure, double ambient_pressure);
 
 /// A Mach stem that grows along the wall.
@@ -26,11 +26,11 @@ struct MachStem {
   double path_angle;    // rad, between the wall and the path of the triple point
 };
 
-/// Mach reflection at a plane wall, overpressure and angle as above, or nothing where the theory has
-/// no solution.
+/// Mach reflection at a plane wall, overpressure and angle as above, or nothing where the theory
+/// has no solution.
 ///
-/// Three-shock theory (von Neumann 1943): the incident front, the reflected one and the stem meet in
-/// a point; behind the latter two pressure and direction of the stream are the same. The stem is
+/// Three-shock theory (von Neumann 1943): the incident front, the reflected one and the stem meet
+/// in a point; behind the latter two pressure and direction of the stream are the same. The stem is
 /// taken as straight and normal to the wall. Strong fronts only: weak ones (p/p_a below about 1)
 /// reflect with a stem although there is no solution (von Neumann's paradox). The curvature of a
 /// blast wave and of the stem is neglected.

@@ -3,9 +3,9 @@
 
 namespace moraine::blast {
 
-/// Relations for gamma = 1.4 between the pressure ratio eta across an oblique shock, the Mach number
-/// M of the stream ahead and the deflection theta. Source: Ames Research Staff, Equations, tables,
-/// and charts for compressible flow, NACA Report 1135 (1953), eqs. (128) to (168). All take
+/// Relations for gamma = 1.4 between the pressure ratio eta across an oblique shock, the Mach
+/// number M of the stream ahead and the deflection theta. Source: Ames Research Staff, Equations,
+/// tables, and charts for compressible flow, NACA Report 1135 (1953), eqs. (128) to (168). All take
 /// 1 <= eta <= strongest_ratio(M).
 
 /// Square of the Mach number of the stream across the shock: M_n^2 = (6 eta + 1)/7.

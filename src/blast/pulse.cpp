@@ -37,6 +37,7 @@ double friedlander_suction(double peak, double duration, double decay) {
 std::optional<double> friedlander_decay(double peak, double duration, double impulse) {
   double const share = impulse / (peak * duration);
   if (!(share > 0.0) || share > 0.5) return std::nullopt;
+  if (share == 0.5) return 0.0;
   // The share is below 1/k.
   return bisect([&](double k) { return share - impulse_share(k); }, 0.0, 1.0 / share);
 }

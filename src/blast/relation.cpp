@@ -23,17 +23,20 @@ double Situation::size() const { return std::cbrt(charge_mass); }
 
 std::string_view name_of(Standing standing) {
   switch (standing) {
-    case Standing::recommended: return "recommended";
-    case Standing::comparison: return "comparison";
-    case Standing::doubtful: break;
+    case Standing::recommended:
+      return "recommended";
+    case Standing::comparison:
+      return "comparison";
+    case Standing::doubtful:
+      break;
   }
   return "doubtful";
 }
 
 std::string_view name_of(Topic topic) {
-  constexpr std::string_view names[] = {"air",     "surface", "reflection",   "pulse",
-                                        "line",    "contact", "buried",       "displacement",
-                                        "crater",  "water",   "bubble"};
+  constexpr std::string_view names[] = {"air",    "surface", "reflection", "pulse",
+                                        "line",   "contact", "buried",     "displacement",
+                                        "crater", "water",   "bubble"};
   return names[static_cast<std::size_t>(topic)];
 }
 
@@ -43,8 +46,15 @@ Outcome Outcome::none(std::string why) {
   return outcome;
 }
 
-Outcome Outcome::with(std::string warning) && {
+Outcome Outcome::outside(std::string warning) && {
   caution = std::move(warning);
+  misused = true;
+  return std::move(*this);
+}
+
+Outcome Outcome::in_doubt(std::string warning) && {
+  caution = std::move(warning);
+  doubtful = true;
   return std::move(*this);
 }
 

@@ -44,21 +44,25 @@ struct Validity {
   double high = 0.0;  // may be infinite
 };
 
-/// What a relation gives, in SI. `low` and `high` bound its own scatter, where its source states one.
+/// What a relation gives, in SI. `low` and `high` bound its own scatter, where its source states
+/// one.
 struct Outcome {
   Outcome(double v) : Outcome(v, v, v) {}  // NOLINT: a plain number is an outcome
   Outcome(double v, double l, double h) : value(v), low(l), high(h) {}
 
   /// No value, and why.
   static Outcome none(std::string why);
-  /// The same value with a warning.
-  Outcome with(std::string warning) &&;
+  /// The same value, but used where its source does not: with a warning, and not in range.
+  Outcome outside(std::string warning) &&;
+  /// The same value from an input of doubtful standing, with a warning.
+  Outcome in_doubt(std::string warning) &&;
 
   double value;  // NaN where there is none
   double low;
   double high;
   std::string caution;    // empty, or what to mind
-  bool doubtful = false;  // an input of doubtful standing
+  bool misused = false;   // see outside()
+  bool doubtful = false;  // see in_doubt()
 };
 
 struct Relation {
@@ -70,8 +74,8 @@ struct Relation {
   std::string_view source;
   std::string_view note = "";  // assumptions and corrections; may be empty
   Validity validity;
-  bool sea_level_air = false;               // measured in it
-  std::string_view needs = "";              // options without which it does not apply
+  bool sea_level_air = false;                   // measured in it
+  std::string_view needs = "";                  // options without which it does not apply
   bool (*applies)(Situation const&) = nullptr;  // null: always
   Outcome (*evaluate)(Situation const&);
 };

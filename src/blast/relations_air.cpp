@@ -23,14 +23,13 @@ double incident(Situation const& s) {
   return s.explosive_factor * kingery_overpressure(burst, s.scaled_distance());
 }
 
-constexpr Validity ideal_air =
-    range_of("p/p_a of Kingery-Bulmash", "",
-             [](Situation const& s) { return incident(s) / s.air.pressure; }, 0.0, 40.0);
+constexpr Validity ideal_air = range_of(
+    "p/p_a of Kingery-Bulmash", "", [](Situation const& s) { return incident(s) / s.air.pressure; },
+    0.0, 40.0);
 
-constexpr Validity brode_range =
-    range_of("p", "bar",
-             [](Situation const& s) { return brode_overpressure(s.scaled_distance()) / bar; }, 0.1,
-             unbounded);
+constexpr Validity brode_range = range_of(
+    "p", "bar", [](Situation const& s) { return brode_overpressure(s.scaled_distance()) / bar; },
+    0.1, unbounded);
 
 Outcome brode(Situation const& s) {
   Outcome outcome = s.explosive_factor * brode_overpressure(s.scaled_distance());
@@ -133,8 +132,7 @@ constexpr std::array list{
              .evaluate = [](Situation const& s) -> Outcome {
                return s.explosive_factor * thesis_overpressure(s.scaled_distance());
              }},
-    shape_relation("tnt_block_1_lb", "p = 36280/Z^3 - 770/Z^2 + 13.5/Z psi",
-                   shape<tnt_block_1_lb>),
+    shape_relation("tnt_block_1_lb", "p = 36280/Z^3 - 770/Z^2 + 13.5/Z psi", shape<tnt_block_1_lb>),
     shape_relation("pentolite_cylinder_8_lb", "p = 21070/Z^3 - 135/Z^2 + 10.5/Z psi",
                    shape<pentolite_cylinder_8_lb>),
     shape_relation("tnt_cylinder_4_lb", "p = 19210/Z^3 - 186/Z^2 + 11.34/Z psi",
@@ -150,10 +148,9 @@ constexpr std::array list{
                    [](Situation const& s) -> Outcome {
                      return normal_reflection(incident(s), s.air.pressure);
                    }),
-    front_relation(Measure::dynamic_pressure, "q = 2.5 p^2/(7p_a + p)",
-                   [](Situation const& s) -> Outcome {
-                     return dynamic_pressure(incident(s), s.air);
-                   }),
+    front_relation(
+        Measure::dynamic_pressure, "q = 2.5 p^2/(7p_a + p)",
+        [](Situation const& s) -> Outcome { return dynamic_pressure(incident(s), s.air); }),
     kingery_relation(Measure::impulse, kingery,
                      [](Situation const& s) -> Outcome {
                        return s.explosive_factor * s.size() *
@@ -172,24 +169,24 @@ constexpr std::array list{
                      [](Situation const& s) -> Outcome {
                        return s.size() * kingery_duration(burst, s.scaled_distance());
                      }),
-    Relation{.name = "kinney_graham",
-             .topic = topic,
-             .measure = Measure::positive_duration,
-             .standing = recommended,
-             .formula = "t/W^(1/3) = 980 [1+(Z/.54)^10]/{[1+(Z/.02)^3][1+(Z/.74)^6]sqrt[1+(Z/6.9)^2]}",
-             .source = kinney_source,
-             .note = "the range is where it was compared with Kingery-Bulmash",
-             .validity = scaled_metric(0.147, 39.6),
-             .sea_level_air = true,
-             .evaluate = [](Situation const& s) -> Outcome {
-               return s.size() * kinney_graham_duration(s.scaled_distance());
-             }},
+    Relation{
+        .name = "kinney_graham",
+        .topic = topic,
+        .measure = Measure::positive_duration,
+        .standing = recommended,
+        .formula = "t/W^(1/3) = 980 [1+(Z/.54)^10]/{[1+(Z/.02)^3][1+(Z/.74)^6]sqrt[1+(Z/6.9)^2]}",
+        .source = kinney_source,
+        .note = "the range is where it was compared with Kingery-Bulmash",
+        .validity = scaled_metric(0.147, 39.6),
+        .sea_level_air = true,
+        .evaluate = [](Situation const& s) -> Outcome {
+          return s.size() * kinney_graham_duration(s.scaled_distance());
+        }},
     front_relation(Measure::front_speed, "U = c sqrt(1 + 6p/7p_a)",
                    [](Situation const& s) -> Outcome { return front_speed(incident(s), s.air); }),
-    front_relation(Measure::particle_speed, "u = c (5p/7p_a)/sqrt(1 + 6p/7p_a)",
-                   [](Situation const& s) -> Outcome {
-                     return particle_speed(incident(s), s.air);
-                   }),
+    front_relation(
+        Measure::particle_speed, "u = c (5p/7p_a)/sqrt(1 + 6p/7p_a)",
+        [](Situation const& s) -> Outcome { return particle_speed(incident(s), s.air); }),
 };
 
 }  // namespace

@@ -27,8 +27,7 @@ constexpr Validity line_range = range_of("R sqrt(L/W)", "m/sqrt(kg/m)", line_dis
 Outcome line_source(Situation const& s) {
   double const energy = tnt_energy * s.charge_mass;
   double const r0 = sachs_length(Source::line, energy, s.length, s.air.pressure);
-  Outcome outcome =
-      s.explosive_factor * s.air.pressure * line_source_overpressure(s.distance / r0);
+  Outcome outcome = s.explosive_factor * s.air.pressure * line_source_overpressure(s.distance / r0);
   bool const long_enough = s.distance <= 0.5 * s.length;
   return long_enough ? outcome
                      : std::move(outcome).with(
@@ -66,8 +65,8 @@ Outcome in_soil(Situation const& s, double value) {
   return std::move(outcome).with(fmt::format("{}: {}", s.soil->name, s.soil->note));
 }
 
-constexpr Relation buried_relation(Measure measure, std::string_view formula,
-                                   std::string_view note, Outcome (*evaluate)(Situation const&)) {
+constexpr Relation buried_relation(Measure measure, std::string_view formula, std::string_view note,
+                                   Outcome (*evaluate)(Situation const&)) {
   return {.name = "lampson",
           .topic = Topic::buried,
           .measure = measure,
@@ -144,16 +143,14 @@ constexpr std::array list{
                     [](Situation const& s) {
                       return in_soil(s, fixed_target_factor * buried_impulse(buried(s)));
                     }),
-    buried_relation(Measure::positive_duration, "t+ = .174 k^(-1/2) R^(1/2) W^(1/6) s",
-                    "powers corrected to those of 2 I/p",
-                    [](Situation const& s) {
-                      return in_soil(s, buried_positive_duration(buried(s)));
-                    }),
-    buried_relation(Measure::negative_duration, "t- = .368 k^(-1/2) R^(1/2) W^(1/6) s",
-                    "powers corrected to those of 2 I/p",
-                    [](Situation const& s) {
-                      return in_soil(s, buried_negative_duration(buried(s)));
-                    }),
+    buried_relation(
+        Measure::positive_duration, "t+ = .174 k^(-1/2) R^(1/2) W^(1/6) s",
+        "powers corrected to those of 2 I/p",
+        [](Situation const& s) { return in_soil(s, buried_positive_duration(buried(s))); }),
+    buried_relation(
+        Measure::negative_duration, "t- = .368 k^(-1/2) R^(1/2) W^(1/6) s",
+        "powers corrected to those of 2 I/p",
+        [](Situation const& s) { return in_soil(s, buried_negative_duration(buried(s))); }),
     displacement_relation(
         "lampson", Measure::horizontal_displacement, "U/W^(1/3) = C Z^-4 in/lb^(1/3)",
         [](Situation const& s) -> Outcome {
@@ -187,19 +184,17 @@ constexpr std::array list{
              .formula = "D = .8 W^(1/3) m, within 30 %",
              .source = kinney_source,
              .validity = unstated,
-             .evaluate = [](Situation const& s) {
-               return surface_crater(s, kinney_graham_crater, 0.3);
-             }},
-    Relation{.name = "ambrosini",
-             .topic = Topic::crater,
-             .measure = Measure::crater_diameter,
-             .standing = recommended,
-             .formula = "D = .51 W^(1/3) m, within 5 %, a sphere that rests on soil",
-             .source = "D. Ambrosini et al., Shock Waves 12 (2002) 69",
-             .validity = unstated,
-             .evaluate = [](Situation const& s) {
-               return surface_crater(s, ambrosini_crater, 0.05);
-             }},
+             .evaluate =
+                 [](Situation const& s) { return surface_crater(s, kinney_graham_crater, 0.3); }},
+    Relation{
+        .name = "ambrosini",
+        .topic = Topic::crater,
+        .measure = Measure::crater_diameter,
+        .standing = recommended,
+        .formula = "D = .51 W^(1/3) m, within 5 %, a sphere that rests on soil",
+        .source = "D. Ambrosini et al., Shock Waves 12 (2002) 69",
+        .validity = unstated,
+        .evaluate = [](Situation const& s) { return surface_crater(s, ambrosini_crater, 0.05); }},
     Relation{.name = "hemispherical",
              .topic = Topic::crater,
              .measure = Measure::crater_diameter,
@@ -207,25 +202,23 @@ constexpr std::array list{
              .formula = "D = .65 W^(1/3) m, about, a hemisphere at ground level",
              .source = "in use; its source is not verified",
              .validity = unstated,
-             .evaluate = [](Situation const& s) {
-               return surface_crater(s, hemispherical_crater, 0.0);
-             }},
-    Relation{.name = "lampson",
-             .topic = Topic::crater,
-             .measure = Measure::crater_diameter,
-             .standing = doubtful,
-             .formula = "D = 2.6 f k^.05 W^(1/3) ft",
-             .source = lampson_source,
-             .note = "the power of k is printed as .5, by which 1 lb would leave 184 ft",
-             .validity = unstated,
-             .needs = "a soil and a depth factor",
-             .applies =
-                 [](Situation const& s) {
-                   return s.soil != nullptr && !std::isnan(s.depth_factor);
-                 },
-             .evaluate = [](Situation const& s) -> Outcome {
-               return lampson_crater_diameter(s.charge_mass, s.soil->k, s.depth_factor);
-             }},
+             .evaluate =
+                 [](Situation const& s) { return surface_crater(s, hemispherical_crater, 0.0); }},
+    Relation{
+        .name = "lampson",
+        .topic = Topic::crater,
+        .measure = Measure::crater_diameter,
+        .standing = doubtful,
+        .formula = "D = 2.6 f k^.05 W^(1/3) ft",
+        .source = lampson_source,
+        .note = "the power of k is printed as .5, by which 1 lb would leave 184 ft",
+        .validity = unstated,
+        .needs = "a soil and a depth factor",
+        .applies =
+            [](Situation const& s) { return s.soil != nullptr && !std::isnan(s.depth_factor); },
+        .evaluate = [](Situation const& s) -> Outcome {
+          return lampson_crater_diameter(s.charge_mass, s.soil->k, s.depth_factor);
+        }},
     Relation{.name = "rupture",
              .topic = Topic::crater,
              .measure = Measure::rupture_radius,
@@ -235,28 +228,24 @@ constexpr std::array list{
              .validity = unstated,
              .needs = "a ground",
              .applies = [](Situation const& s) { return s.broken != nullptr; },
-             .evaluate =
-                 [](Situation const& s) -> Outcome {
-                   double const low = rupture_radius(s.charge_mass, s.broken->low);
-                   double const high = rupture_radius(s.charge_mass, s.broken->high);
-                   return {0.5 * (low + high), low, high};
-                 }},
-    Relation{.name = "camouflet",
-             .topic = Topic::crater,
-             .measure = Measure::camouflet_volume,
-             .standing = comparison,
-             .formula = "V = 10 W ft^3, W in lb, in clay",
-             .source = thesis_source,
-             .note = "of a charge so deep that it does not break through",
-             .validity = unstated,
-             .needs = "clay as the ground",
-             .applies =
-                 [](Situation const& s) {
-                   return s.broken != nullptr && s.broken->name == "clay";
-                 },
              .evaluate = [](Situation const& s) -> Outcome {
-               return camouflet_volume(s.charge_mass);
+               double const low = rupture_radius(s.charge_mass, s.broken->low);
+               double const high = rupture_radius(s.charge_mass, s.broken->high);
+               return {0.5 * (low + high), low, high};
              }},
+    Relation{
+        .name = "camouflet",
+        .topic = Topic::crater,
+        .measure = Measure::camouflet_volume,
+        .standing = comparison,
+        .formula = "V = 10 W ft^3, W in lb, in clay",
+        .source = thesis_source,
+        .note = "of a charge so deep that it does not break through",
+        .validity = unstated,
+        .needs = "clay as the ground",
+        .applies =
+            [](Situation const& s) { return s.broken != nullptr && s.broken->name == "clay"; },
+        .evaluate = [](Situation const& s) -> Outcome { return camouflet_volume(s.charge_mass); }},
 };
 
 }  // namespace

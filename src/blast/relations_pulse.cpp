@@ -9,8 +9,7 @@ namespace moraine::blast {
 namespace {
 
 constexpr Topic topic = Topic::pulse;
-constexpr std::string_view friedlander_source =
-    "F. G. Friedlander, Proc. R. Soc. A 186 (1946) 322";
+constexpr std::string_view friedlander_source = "F. G. Friedlander, Proc. R. Soc. A 186 (1946) 322";
 
 bool has_decay(Situation const& s) { return !std::isnan(s.decay); }
 bool has_time(Situation const& s) { return !std::isnan(s.time); }

@@ -38,8 +38,8 @@ Outcome regular(Situation const& s) {
 template <class Part>
 Outcome stem(Situation const& s, Part const& part) {
   if (s.angle <= limit(s))
-    return Outcome::none(fmt::format("no Mach stem up to {:.2f} degrees: reflection is regular",
-                                     limit(s) / degree));
+    return Outcome::none(
+        fmt::format("no Mach stem up to {:.2f} degrees: reflection is regular", limit(s) / degree));
   if (auto const found = mach_reflection(s.overpressure, s.air.pressure, s.angle))
     return part(*found);
   return Outcome::none("three-shock theory has no solution here, though a stem forms");

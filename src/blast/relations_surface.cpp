@@ -83,9 +83,8 @@ constexpr std::array list{
              .validity = enlarged_range(0.0532, 39.6),
              .evaluate =
                  [](Situation const& s) {
-                   return enlarged(s, [&](double z) {
-                     return kinney_graham_overpressure(z, s.air.pressure);
-                   });
+                   return enlarged(
+                       s, [&](double z) { return kinney_graham_overpressure(z, s.air.pressure); });
                  }},
     Relation{.name = "henrych_enlarged",
              .topic = topic,
@@ -122,14 +121,13 @@ constexpr std::array list{
              .formula = "I = K W^(2/3)/R lbf s/in^2, K .054, heavy case .036, bare .081",
              .source = thesis_source,
              .validity = unstated,
-             .evaluate =
-                 [](Situation const& s) -> Outcome {
-                   auto const at = [&](double k) {
-                     return s.explosive_factor * surface_impulse(s.charge_mass, s.distance, k);
-                   };
-                   return {at(usual_impulse_factor), at(heavy_case_impulse_factor),
-                           at(bare_charge_impulse_factor)};
-                 }},
+             .evaluate = [](Situation const& s) -> Outcome {
+               auto const at = [&](double k) {
+                 return s.explosive_factor * surface_impulse(s.charge_mass, s.distance, k);
+               };
+               return {at(usual_impulse_factor), at(heavy_case_impulse_factor),
+                       at(bare_charge_impulse_factor)};
+             }},
     kingery_relation(Measure::reflected_impulse, kingery,
                      [](Situation const& s) -> Outcome {
                        return s.explosive_factor * s.size() *
@@ -156,10 +154,9 @@ constexpr std::array list{
                      [](Situation const& s) -> Outcome {
                        return s.size() * swisdak_duration(s.scaled_distance());
                      }),
-    swisdak_relation(Measure::front_speed, swisdak_range,
-                     [](Situation const& s) -> Outcome {
-                       return swisdak_front_speed(s.scaled_distance());
-                     }),
+    swisdak_relation(
+        Measure::front_speed, swisdak_range,
+        [](Situation const& s) -> Outcome { return swisdak_front_speed(s.scaled_distance()); }),
 };
 
 }  // namespace

@@ -16,7 +16,6 @@ inline constexpr std::string_view lampson_source =
     "C. W. Lampson, Explosions in earth, NDRC (1946); 2017 doctoral thesis on explosions in "
     "granular soil with SPH, ch. 3";
 inline constexpr std::string_view cole_source = "R. H. Cole, Underwater Explosions (1948)";
-inline constexpr std::string_view swisdak_water_source =
-    "M. M. Swisdak, NSWC/WOL TR 76-116 (1978)";
+inline constexpr std::string_view swisdak_water_source = "M. M. Swisdak, NSWC/WOL TR 76-116 (1978)";
 
 }  // namespace moraine::blast

@@ -3,13 +3,13 @@
 
 namespace moraine::blast {
 
-/// Peak pressure in water [Pa] at R/W^(1/3) [m/kg^(1/3)], TNT. With X = W^(1/3)/R in lb^(1/3)/ft or,
-/// where marked SI, in kg^(1/3)/m:
+/// Peak pressure in water [Pa] at R/W^(1/3) [m/kg^(1/3)], TNT. With X = W^(1/3)/R in lb^(1/3)/ft
+/// or, where marked SI, in kg^(1/3)/m:
 ///   Penney:             14100 X e^(0.27 X) psi
 ///   Kirkwood-Brinkley:  22150 X (log10(1/X) + 0.873)^(-1/2) psi, 1/X > 13
 ///   Cole:               52.4e6 X^1.13 Pa (SI)
-/// Sources: R. H. Cole, Underwater Explosions (1948), chapters 4 and 7, as in a 2017 doctoral thesis
-/// on explosions in granular soil with SPH, chapter 3.
+/// Sources: R. H. Cole, Underwater Explosions (1948), chapters 4 and 7, as in a 2017 doctoral
+/// thesis on explosions in granular soil with SPH, chapter 3.
 double penney_pressure(double scaled_distance);
 double kirkwood_brinkley_pressure(double scaled_distance);
 double cole_pressure(double scaled_distance);
@@ -32,8 +32,8 @@ double swisdak_water_energy(double scaled_distance);
 /// Peak pressure [Pa]: 44.1e6 X^1.5 for 6 <= R/R_0 < 12, 52.4e6 X^1.13 for 12 <= R/R_0 < 240, and
 /// time constant [s/kg^(1/3)]: 0.45e-3 R_0 r^0.45 for r = R/R_0 below 30, 3.5 (R_0/c)
 /// sqrt(log10 r - 0.9) beyond; R_0 the radius of a sphere of 1630 kg/m^3 [m], c = 1500 m/s.
-/// Source: B. V. Zamyshlyaev, Yu. S. Yakovlev, Dynamic loads in underwater explosion (1967). Outside
-/// the nearest piece goes on.
+/// Source: B. V. Zamyshlyaev, Yu. S. Yakovlev, Dynamic loads in underwater explosion (1967).
+/// Outside the nearest piece goes on.
 double zamyshlyaev_pressure(double scaled_distance);
 double zamyshlyaev_time_constant(double scaled_distance);
 double charge_radii(double scaled_distance);  // R/R_0

@@ -24,8 +24,8 @@ constexpr Validity scaled_metric(double low, double high) {
 }
 constexpr Validity scaled_imperial(double low, double high) {
   return range_of(
-      "R/W^(1/3)", "ft/lb^(1/3)",
-      [](Situation const& s) { return s.scaled_distance_imperial(); }, low, high);
+      "R/W^(1/3)", "ft/lb^(1/3)", [](Situation const& s) { return s.scaled_distance_imperial(); },
+      low, high);
 }
 
 }  // namespace moraine::blast
