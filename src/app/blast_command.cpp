@@ -40,21 +40,19 @@ void add_value(CLI::App& command, BlastOptions& options, std::string_view flag,
 void add_topic(CLI::App& blast, TopicCommand const& topic, BlastOptions& options) {
   auto* command =
       blast.add_subcommand(std::string(blast::name_of(topic.topic)), std::string(topic.help));
-  auto const uses = [&](std::string_view flag) {
-    return holds(topic.required, flag) || holds(topic.optional, flag);
-  };
   for (QuantityOption const& option : quantity_options())
-    if (uses(option.flag))
+    if (topic.uses(option.flag))
       add_value(*command, options, option.flag,
                 fmt::format("{}, as in \"2 {}\"", option.help, option.dimension.usual[0]));
   for (NameOption const& option : name_options())
-    if (uses(option.flag)) add_value(*command, options, option.flag, std::string(option.help));
+    if (topic.uses(option.flag))
+      add_value(*command, options, option.flag, std::string(option.help));
   command
       ->add_option(
           std::string(topic.sweep.flag), options.sweep,
           fmt::format("instead of {}: first, last, number of values", topic.sweep.replaces))
       ->expected(3);
-  if (uses("--surface-burst"))
+  if (topic.uses("--surface-burst"))
     command->add_flag("--surface-burst", options.surface_burst,
                       "the charge lies on the ground, not in free air");
   add_value(*command, options, "--units", "units of results: si, metric or imperial");
@@ -67,6 +65,7 @@ void add_topic(CLI::App& blast, TopicCommand const& topic, BlastOptions& options
   command->add_flag("--json", options.json, "results as JSON (SI)");
   command->add_flag("--list", options.list, "relations of this topic, with sources and ranges");
   command->footer(footer(topic.examples));
+  command->allow_extras();
 }
 
 /// All relations, or those of a topic.
@@ -94,8 +93,7 @@ std::string as_written(TopicCommand const& topic, BlastOptions const& options) {
   std::string text;
   auto const add = [&](std::string_view flag) {
     auto const found = options.values.find(std::string(flag));
-    bool const uses = holds(topic.required, flag) || holds(topic.optional, flag);
-    if (!uses || found == options.values.end() || found->second.empty()) return;
+    if (!topic.uses(flag) || found == options.values.end() || found->second.empty()) return;
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", flag.substr(2), found->second);
   };
   for (QuantityOption const& option : quantity_options()) add(option.flag);
@@ -108,11 +106,12 @@ std::string title(TopicCommand const& topic, BlastOptions const& options) {
 }
 
 /// Inputs in SI.
-Json input_json(BlastInput const& input) {
+Json input_json(TopicCommand const& topic, BlastInput const& input) {
   Json json = Json::object();
   blast::Situation situation = input.situation;
   for (QuantityOption const& option : quantity_options())
-    if (double const value = option.target(situation); std::isfinite(value))
+    if (double const value = option.target(situation);
+        topic.uses(option.flag) && std::isfinite(value))
       json[std::string(option.flag.substr(2))] = value;
   json["explosive-factor"] = situation.explosive_factor;
   if (situation.soil != nullptr) json["soil"] = situation.soil->name;
@@ -122,8 +121,9 @@ Json input_json(BlastInput const& input) {
 }
 
 Json head(TopicCommand const& topic, BlastInput const& input) {
-  return {
-      {"topic", blast::name_of(topic.topic)}, {"input", input_json(input)}, {"notes", input.notes}};
+  return {{"topic", blast::name_of(topic.topic)},
+          {"input", input_json(topic, input)},
+          {"notes", input.notes}};
 }
 
 int answer_once(TopicCommand const& topic, BlastOptions const& options, BlastInput const& input) {
@@ -185,6 +185,13 @@ int answer_along(TopicCommand const& topic, BlastOptions const& options, BlastIn
   return ExitCode::done;
 }
 
+[[noreturn]] void refuse_topic(std::string const& wanted) {
+  std::vector<std::string_view> known;
+  for (TopicCommand const& topic : topic_commands()) known.push_back(blast::name_of(topic.topic));
+  throw InputErrors({{"moraine blast", 0, 0, "", fmt::format("\"{}\"", wanted), "is not a topic",
+                      name_hint(wanted, known)}});
+}
+
 int run_topic(TopicCommand const& topic, BlastOptions const& options) {
   if (options.list) return list(&topic, options.json);
   BlastInput const input = read_blast_input(topic, options);
@@ -198,18 +205,23 @@ void add_blast_command(CLI::App& app, BlastOptions& options) {
   auto* blast = app.add_subcommand(
       "blast", "answers about explosions from published relations, without a simulation");
   blast->require_subcommand(0, 1);
+  blast->allow_extras();
   blast->add_flag("--list", options.list, "all relations, with sources and ranges");
   blast->add_flag("--json", options.json, "with --list: as JSON");
   for (TopicCommand const& topic : topic_commands()) add_topic(*blast, topic, options);
   blast->footer(footer(shared_examples));
 }
 
-std::optional<int> run_blast_command(CLI::App const& app, BlastOptions const& options) {
+std::optional<int> run_blast_command(CLI::App const& app, BlastOptions options) {
   if (!app.got_subcommand("blast")) return std::nullopt;
   CLI::App const& blast = *app.get_subcommand("blast");
-  for (TopicCommand const& topic : topic_commands())
-    if (blast.got_subcommand(std::string(blast::name_of(topic.topic))))
-      return run_topic(topic, options);
+  for (TopicCommand const& topic : topic_commands()) {
+    std::string const name(blast::name_of(topic.topic));
+    if (!blast.got_subcommand(name)) continue;
+    options.extras = blast.get_subcommand(name)->remaining();
+    return run_topic(topic, options);
+  }
+  if (auto const extras = blast.remaining(); !extras.empty()) refuse_topic(extras.front());
   if (options.list) return list(nullptr, options.json);
   fmt::print("{}", blast.help());
   return ExitCode::done;

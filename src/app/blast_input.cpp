@@ -20,10 +20,6 @@ using blast::Topic;
 
 constexpr std::size_t most_points = 10000;
 
-bool has_flag(TopicCommand const& command, std::string_view flag) {
-  return holds(command.required, flag) || holds(command.optional, flag);
-}
-
 /// Reflection and pulse take their front from a charge where no pressure is given.
 bool from_charge(BlastReader const& reader, TopicCommand const& command) {
   bool const may = command.topic == Topic::reflection || command.topic == Topic::pulse;
@@ -37,7 +33,7 @@ void require(BlastReader& reader, TopicCommand const& command, BlastOptions cons
   for (QuantityOption const& option : quantity_options()) {
     bool const swept = !options.sweep.empty() && option.flag == command.sweep.replaces;
     if (!holds(required, option.flag) || swept || reader.given(option.flag)) continue;
-    bool const other = option.flag == "--pressure" && has_flag(command, "--charge");
+    bool const other = option.flag == "--pressure" && command.uses("--charge");
     reader.complain(option.flag, "", fmt::format("is missing: {}", option.help),
                     fmt::format("give {}{}", option.dimension.name,
                                 other ? ", or --charge and --distance" : ""));
@@ -49,6 +45,18 @@ void require(BlastReader& reader, TopicCommand const& command, BlastOptions cons
   if (reader.given(command.sweep.replaces))
     reader.complain(command.sweep.replaces, reader.text(command.sweep.replaces),
                     fmt::format("and {} exclude each other", command.sweep.flag));
+}
+
+std::vector<std::string_view> known_flags(TopicCommand const& command) {
+  std::vector<std::string_view> known{"--units", "--csv",  "--plot",          "--json",
+                                      "--list",  "--help", command.sweep.flag};
+  for (QuantityOption const& option : quantity_options())
+    if (command.uses(option.flag)) known.push_back(option.flag);
+  for (NameOption const& option : name_options())
+    if (command.uses(option.flag)) known.push_back(option.flag);
+  for (OutputUnitOption const& option : output_unit_options()) known.push_back(option.flag);
+  if (command.uses("--surface-burst")) known.push_back("--surface-burst");
+  return known;
 }
 
 /// Factors of the explosive; the mass factor is returned.
@@ -199,9 +207,10 @@ BlastInput read_blast_input(TopicCommand const& command, BlastOptions const& opt
   BlastReader reader(fmt::format("moraine blast {}", name_of(command.topic)), options);
   BlastInput input;
   Situation& situation = input.situation;
+  reader.refuse(options.extras, known_flags(command));
   require(reader, command, options);
   for (QuantityOption const& option : quantity_options())
-    if (has_flag(command, option.flag) && reader.given(option.flag))
+    if (command.uses(option.flag) && reader.given(option.flag))
       option.target(situation) =
           reader.quantity(option, reader.text(option.flag)).value_or(blast::unknown);
   double const mass_factor = read_explosive(reader, situation);

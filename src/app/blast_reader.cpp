@@ -60,6 +60,15 @@ std::optional<double> BlastReader::factor(std::string_view flag) {
   return std::nullopt;
 }
 
+void BlastReader::refuse(std::vector<std::string> const& extras,
+                         std::vector<std::string_view> const& known) {
+  for (std::string const& extra : extras) {
+    auto const name = nearest_name(extra, known);
+    complain("", extra, "is not an option",
+             name.empty() ? "see --help" : fmt::format("did you mean \"{}\"?", name));
+  }
+}
+
 void BlastReader::finish() const {
   if (!problems_.empty()) throw InputErrors(problems_);
 }

@@ -29,6 +29,9 @@ class BlastReader {
   /// The same for a plain number above zero.
   std::optional<double> factor(std::string_view flag);
 
+  /// Complains about everything that is no option, with the nearest one.
+  void refuse(std::vector<std::string> const& extras, std::vector<std::string_view> const& known);
+
   /// The entry of a list with this name, or null and a complaint.
   template <class Entry, std::size_t extent>
   Entry const* entry(std::string_view flag, std::span<Entry const, extent> list) {

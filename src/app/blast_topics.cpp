@@ -169,6 +169,10 @@ std::span<NameOption const> name_options() { return names; }
 std::span<OutputUnitOption const> output_unit_options() { return output_units; }
 std::span<TopicCommand const> topic_commands() { return commands; }
 
+bool TopicCommand::uses(std::string_view flag) const {
+  return holds(required, flag) || holds(optional, flag);
+}
+
 bool holds(std::string_view flags, std::string_view flag) {
   for (std::size_t at = flags.find(flag); at != std::string_view::npos;
        at = flags.find(flag, at + 1)) {

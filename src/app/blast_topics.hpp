@@ -52,6 +52,9 @@ struct TopicCommand {
   std::string_view optional;
   SweepOption sweep;
   std::string_view examples;  // one per line, "moraine blast ..."
+
+  /// Whether it knows an option.
+  bool uses(std::string_view flag) const;
 };
 std::span<TopicCommand const> topic_commands();
 

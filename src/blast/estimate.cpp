@@ -37,9 +37,10 @@ Estimate evaluate(Relation const& relation, Situation const& situation) {
   if (estimate.standing == Standing::doubtful)
     estimate.warnings.push_back(relation.note.empty() ? std::string("doubtful")
                                                       : fmt::format("doubtful: {}", relation.note));
-  if (relation.sea_level_air && !situation.air_is_standard())
+  bool const other_air = relation.sea_level_air && !situation.air_is_standard();
+  if (other_air)
     estimate.warnings.emplace_back("measured in air at sea level, 101.325 kPa and 1.225 kg/m^3");
-  if (outcome.misused || !std::isfinite(estimate.value)) estimate.in_range = false;
+  if (outcome.misused || other_air || !std::isfinite(estimate.value)) estimate.in_range = false;
   return estimate;
 }
 

@@ -16,7 +16,7 @@ struct Estimate {
   double low;    // bounds of its own scatter; equal to value where the source states none
   double high;
   double variable;  // of its validity, in that unit; NaN where it has none
-  bool in_range;    // false outside its range and where there is no value
+  bool in_range;    // false outside its range, where it is not meant for, and without a value
   Standing standing;
   std::vector<std::string> warnings;
 };

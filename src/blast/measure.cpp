@@ -11,6 +11,7 @@ using enum Measure;
 
 constexpr std::array measures{
     MeasureInfo{peak_overpressure, "peak_overpressure", Kind::pressure, "kPa", "psi"},
+    MeasureInfo{peak_pressure, "peak_pressure", Kind::pressure, "MPa", "psi"},
     MeasureInfo{reflected_overpressure, "reflected_overpressure", Kind::pressure, "kPa", "psi"},
     MeasureInfo{stem_overpressure, "stem_overpressure", Kind::pressure, "kPa", "psi"},
     MeasureInfo{dynamic_pressure, "dynamic_pressure", Kind::pressure, "kPa", "psi"},
@@ -25,9 +26,10 @@ constexpr std::array measures{
     MeasureInfo{path_angle, "path_angle", Kind::angle, "deg", "deg"},
     MeasureInfo{overpressure, "overpressure", Kind::pressure, "kPa", "psi"},
     MeasureInfo{suction, "suction", Kind::pressure, "kPa", "psi"},
-    MeasureInfo{sachs_length, "sachs_length", Kind::length, "m", "ft"},
+    MeasureInfo{sachs_length_of_plane, "sachs_length_of_plane", Kind::length, "m", "ft"},
+    MeasureInfo{sachs_length_of_line, "sachs_length_of_line", Kind::length, "m", "ft"},
+    MeasureInfo{sachs_length_of_point, "sachs_length_of_point", Kind::length, "m", "ft"},
     MeasureInfo{contact_impulse, "contact_impulse", Kind::momentum, "N s", "lbf s"},
-    MeasureInfo{peak_pressure, "peak_pressure", Kind::pressure, "MPa", "psi"},
     MeasureInfo{target_impulse, "target_impulse", Kind::impulse, "kPa s", "psi s"},
     MeasureInfo{horizontal_displacement, "horizontal_displacement", Kind::length, "mm", "in"},
     MeasureInfo{vertical_displacement, "vertical_displacement", Kind::length, "mm", "in"},

@@ -27,6 +27,7 @@ inline constexpr std::size_t kind_count = 11;
 
 enum class Measure : std::uint8_t {
   peak_overpressure,
+  peak_pressure,
   reflected_overpressure,
   stem_overpressure,
   dynamic_pressure,
@@ -41,9 +42,10 @@ enum class Measure : std::uint8_t {
   path_angle,
   overpressure,
   suction,
-  sachs_length,
+  sachs_length_of_plane,
+  sachs_length_of_line,
+  sachs_length_of_point,
   contact_impulse,
-  peak_pressure,
   target_impulse,
   horizontal_displacement,
   vertical_displacement,

@@ -36,7 +36,7 @@ Outcome brode(Situation const& s) {
   double const z = s.scaled_distance();
   double const near = 6.7 / (z * z * z) + 1.0;
   bool const gap = near < 10.0 && brode_overpressure(z) > 10.0 * bar;
-  return gap ? std::move(outcome).with("between its two pieces, of which neither holds here")
+  return gap ? std::move(outcome).outside("between its two pieces, of which neither holds here")
              : outcome;
 }
 
@@ -82,24 +82,26 @@ constexpr Relation front_relation(Measure measure, std::string_view formula,
           .source = rankine_source,
           .note = "with the peak of Kingery-Bulmash",
           .validity = ideal_air,
+          .sea_level_air = true,
           .evaluate = evaluate};
 }
 
 constexpr std::array list{
     kingery_relation(Measure::peak_overpressure, kingery,
                      [](Situation const& s) -> Outcome { return incident(s); }),
-    Relation{.name = "kinney_graham",
-             .topic = topic,
-             .measure = Measure::peak_overpressure,
-             .standing = recommended,
-             .formula = "p/p_a = 808 [1+(Z/4.5)^2]/sqrt{[1+(Z/.048)^2][1+(Z/.32)^2][1+(Z/1.35)^2]}",
-             .source = kinney_source,
-             .note = "the range is where it was compared with Kingery-Bulmash",
-             .validity = scaled_metric(0.0532, 39.6),
-             .evaluate = [](Situation const& s) -> Outcome {
-               return s.explosive_factor *
-                      kinney_graham_overpressure(s.scaled_distance(), s.air.pressure);
-             }},
+    Relation{
+        .name = "kinney_graham",
+        .topic = topic,
+        .measure = Measure::peak_overpressure,
+        .standing = recommended,
+        .formula = "p/p_a = 808 [1+(Z/4.5)^2]/sqrt{[1+(Z/.048)^2][1+(Z/.32)^2][1+(Z/1.35)^2]}",
+        .source = kinney_source,
+        .note = "within 10 % of Kingery-Bulmash up to Z = 10, 23 % above at the end of this range",
+        .validity = scaled_metric(0.0532, 39.6),
+        .evaluate = [](Situation const& s) -> Outcome {
+          return s.explosive_factor *
+                 kinney_graham_overpressure(s.scaled_distance(), s.air.pressure);
+        }},
     Relation{.name = "brode",
              .topic = topic,
              .measure = Measure::peak_overpressure,
@@ -173,11 +175,11 @@ constexpr std::array list{
         .name = "kinney_graham",
         .topic = topic,
         .measure = Measure::positive_duration,
-        .standing = recommended,
+        .standing = comparison,
         .formula = "t/W^(1/3) = 980 [1+(Z/.54)^10]/{[1+(Z/.02)^3][1+(Z/.74)^6]sqrt[1+(Z/6.9)^2]}",
         .source = kinney_source,
-        .note = "the range is where it was compared with Kingery-Bulmash",
-        .validity = scaled_metric(0.147, 39.6),
+        .note = "17 to 71 % below Kingery-Bulmash for Z of 1 to 10; not compared elsewhere",
+        .validity = scaled_metric(1.0, 10.0),
         .sea_level_air = true,
         .evaluate = [](Situation const& s) -> Outcome {
           return s.size() * kinney_graham_duration(s.scaled_distance());

@@ -30,7 +30,7 @@ Outcome line_source(Situation const& s) {
   Outcome outcome = s.explosive_factor * s.air.pressure * line_source_overpressure(s.distance / r0);
   bool const long_enough = s.distance <= 0.5 * s.length;
   return long_enough ? outcome
-                     : std::move(outcome).with(
+                     : std::move(outcome).outside(
                            "farther away than half the length of the charge: its ends are felt");
 }
 
@@ -39,11 +39,11 @@ Outcome sachs(Situation const& s) {
   return sachs_length(source, tnt_energy * s.charge_mass, s.length, s.air.pressure);
 }
 
-constexpr Relation sachs_relation(std::string_view name, std::string_view formula,
+constexpr Relation sachs_relation(Measure measure, std::string_view formula,
                                   Outcome (*evaluate)(Situation const&)) {
-  return {.name = name,
+  return {.name = "sachs",
           .topic = Topic::line,
-          .measure = Measure::sachs_length,
+          .measure = measure,
           .standing = recommended,
           .formula = formula,
           .source = "R. G. Sachs, BRL 466 (1944); with E = 4.61 MJ/kg",
@@ -61,8 +61,7 @@ BuriedCharge buried(Situation const& s) {
 Outcome in_soil(Situation const& s, double value) {
   Outcome outcome = value;
   if (!s.soil->doubtful) return outcome;
-  outcome.doubtful = true;
-  return std::move(outcome).with(fmt::format("{}: {}", s.soil->name, s.soil->note));
+  return std::move(outcome).in_doubt(fmt::format("{}: {}", s.soil->name, s.soil->note));
 }
 
 constexpr Relation buried_relation(Measure measure, std::string_view formula, std::string_view note,
@@ -108,7 +107,7 @@ Outcome surface_crater(Situation const& s, double c, double scatter) {
   double const d = crater_diameter(s.charge_mass, c);
   Outcome outcome(d, d * (1.0 - scatter), d * (1.0 + scatter));
   bool const below = s.depth > charge_radius(s.charge_mass);
-  return below ? std::move(outcome).with("for charges on the ground, not below it") : outcome;
+  return below ? std::move(outcome).outside("for charges on the ground, not below it") : outcome;
 }
 
 constexpr std::array list{
@@ -121,9 +120,9 @@ constexpr std::array list{
              .note = "from where the swept air outweighs the charge ten times",
              .validity = line_range,
              .evaluate = line_source},
-    sachs_relation("plane_source", "R_0 = E/(p_a L^2)", sachs<Source::plane>),
-    sachs_relation("line_source", "R_0 = sqrt(E/(p_a L))", sachs<Source::line>),
-    sachs_relation("point_source", "R_0 = (E/p_a)^(1/3)", sachs<Source::point>),
+    sachs_relation(Measure::sachs_length_of_plane, "R_0 = E/(p_a L^2)", sachs<Source::plane>),
+    sachs_relation(Measure::sachs_length_of_line, "R_0 = sqrt(E/(p_a L))", sachs<Source::line>),
+    sachs_relation(Measure::sachs_length_of_point, "R_0 = (E/p_a)^(1/3)", sachs<Source::point>),
     Relation{.name = "thesis_contact",
              .topic = Topic::contact,
              .measure = Measure::contact_impulse,

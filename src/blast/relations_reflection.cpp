@@ -53,7 +53,7 @@ constexpr std::array list{
              .formula = "p_r = 2p (7p_a + 4p)/(7p_a + p)",
              .source = rankine_source,
              .validity = ideal_air,
-             .applies = [](Situation const& s) { return !has_angle(s) || s.angle == 0.0; },
+             .applies = [](Situation const& s) { return !has_angle(s); },
              .evaluate = [](Situation const& s) -> Outcome {
                return normal_reflection(s.overpressure, s.air.pressure);
              }},

@@ -55,7 +55,7 @@ Outcome enlarged(Situation const& s, Law const& law) {
   Outcome outcome(at(s.ground_factor), at(least_ground_factor), at(most_ground_factor));
   bool const usual =
       s.ground_factor >= least_ground_factor && s.ground_factor <= most_ground_factor;
-  return usual ? outcome : std::move(outcome).with("ground factors are 1.7 to 2");
+  return usual ? outcome : std::move(outcome).outside("ground factors are 1.7 to 2");
 }
 
 constexpr Validity enlarged_range(double low, double high) {

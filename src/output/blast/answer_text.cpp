@@ -33,14 +33,20 @@ class Footnotes {
   std::vector<std::string> notes_;
 };
 
+/// A relation is not recommended where it does not hold.
+std::string_view worth(Estimate const& estimate) {
+  bool const doubtful = estimate.standing == Standing::doubtful;
+  return estimate.in_range || doubtful ? name_of(estimate.standing) : "outside its range";
+}
+
 std::string line(Estimate const& estimate, OutputUnits const& units, Footnotes& footnotes) {
   Measure const measure = estimate.relation->measure;
   std::string value = readable(units.shown(measure, estimate.value));
-  if (estimate.low != estimate.high)
+  if (estimate.low < estimate.high)
     value += fmt::format(" ({} to {})", readable(units.shown(measure, estimate.low)),
                          readable(units.shown(measure, estimate.high)));
-  return fmt::format("  {:<26}{:<28}{}{}\n", estimate.relation->name, value,
-                     name_of(estimate.standing), footnotes.marks(estimate.warnings));
+  return fmt::format("  {:<26}{:<28} {}{}\n", estimate.relation->name, value, worth(estimate),
+                     footnotes.marks(estimate.warnings));
 }
 
 std::string spread_line(Answer const& answer, Measure measure, OutputUnits const& units) {

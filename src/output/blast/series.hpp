@@ -39,7 +39,8 @@ std::string series_text(Series const& series, OutputUnits const& units);
 void write_csv(std::filesystem::path const& path, Series const& series, OutputUnits const& units);
 
 /// A picture (SVG or PNG by the ending): a panel per measure, a curve per relation, thin and dashed
-/// where it is outside its range or doubtful. Throws std::invalid_argument for another ending.
+/// where it is outside its range or doubtful. Measures that stay the same are left out. Throws
+/// std::invalid_argument for another ending.
 void draw_series(std::filesystem::path const& path, std::string const& title, Series const& series,
                  OutputUnits const& units);
 

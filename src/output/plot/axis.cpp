@@ -62,8 +62,8 @@ std::vector<Mark> marks(double low, double high, std::vector<int> const& digits,
 }
 
 std::vector<Mark> fitting_marks(double low, double high, std::size_t most) {
-  auto const fine = marks(low, high, {1, 2, 5}, 1);
-  if (fine.size() <= most) return fine;
+  for (auto const& digits : {std::vector{1, 2, 5}, std::vector{1, 3}})
+    if (auto const fine = marks(low, high, digits, 1); fine.size() <= most) return fine;
   for (int stride = 1;; ++stride)
     if (auto const coarse = marks(low, high, {1}, stride); coarse.size() <= most) return coarse;
 }
@@ -88,8 +88,8 @@ double Axis::fraction(double value) const {
 
 Ticks log_ticks(double low, double high, int most) {
   if (!(low > 0.0) || !has_round_values(low, high)) return {};
+  if (marks(low, high, {1, 2, 5}, 1).size() < 3) return round_ticks(low, high, most);
   auto const found = fitting_marks(low, high, static_cast<std::size_t>(std::max(most, 1)) + 1);
-  if (found.size() < 3) return round_ticks(low, high, most);
   bool const decimal = found.front().exponent >= -3 && found.back().exponent < 5;
   Ticks ticks;
   for (Mark const& mark : found) {

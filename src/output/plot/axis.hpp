@@ -18,10 +18,10 @@ struct Ticks {
 /// interval is too short for the digits of its ends.
 Ticks round_ticks(double low, double high, int most);
 
-/// Marks within [low, high] > 0 for a logarithmic axis: 1, 2 and 5 times the powers of ten where at
-/// most `most` + 1 of them fit, else the powers, else every second, third ... power. Less than
-/// three of these in the interval: round_ticks. Texts are decimals where all values are from 0.001
-/// to below 100 000, powers of ten otherwise.
+/// Marks within [low, high] > 0 for a logarithmic axis, at most `most` + 1: 1, 2 and 5 times the
+/// powers of ten, else 1 and 3 times, else the powers, else every second, third ... power. Where an
+/// interval holds less than three of the first: round_ticks. Texts are decimals where all values
+/// are from 0.001 to below 100 000, powers of ten otherwise.
 Ticks log_ticks(double low, double high, int most);
 
 /// How values are spread along an axis.
