@@ -150,6 +150,16 @@ blast::OutputUnits read_units(BlastReader& reader, BlastOptions const& options) 
   return units;
 }
 
+void check_files(BlastReader& reader, TopicCommand const& command, BlastOptions const& options) {
+  for (std::string_view const file : {"--csv", "--plot"})
+    if (reader.given(file) && options.sweep.empty())
+      reader.complain(file, "", "needs a range of values",
+                      fmt::format("add {} FIRST LAST COUNT", command.sweep.flag));
+  std::string const& plot = reader.text("--plot");
+  if (!plot.empty() && !plot.ends_with(".svg") && !plot.ends_with(".png"))
+    reader.complain("--plot", plot, "must end in .svg or .png");
+}
+
 /// Coupling of a buried charge: one from a depth of 2 ft/lb^(1/3) on, and below it an input.
 void derive_coupling(BlastReader& reader, Situation& situation) {
   if (!std::isnan(situation.coupling)) return;
@@ -221,11 +231,7 @@ BlastInput read_blast_input(TopicCommand const& command, BlastOptions const& opt
     input.sweep = read_sweep(reader, command.sweep, options);
     if (command.sweep.replaces == "--charge") input.sweep.factor *= mass_factor;
   }
-  for (std::string_view const file : {"--csv", "--plot"})
-    if (reader.given(file) && options.sweep.empty())
-      reader.complain(file, "", "needs a range of values",
-                      fmt::format("add {} FIRST LAST COUNT", command.sweep.flag));
-
+  check_files(reader, command, options);
   double impulse = blast::unknown;
   if (reader.given("--impulse")) {
     Conversion const read = to_si(reader.text("--impulse"), blast::dimension(Kind::impulse));

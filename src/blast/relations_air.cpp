@@ -1,4 +1,6 @@
 // Spherical charges in free air.
+#include <fmt/format.h>
+
 #include <array>
 
 #include "blast/free_air.hpp"
@@ -23,9 +25,16 @@ double incident(Situation const& s) {
   return s.explosive_factor * kingery_overpressure(burst, s.scaled_distance());
 }
 
-constexpr Validity ideal_air = range_of(
-    "p/p_a of Kingery-Bulmash", "", [](Situation const& s) { return incident(s) / s.air.pressure; },
-    0.0, 40.0);
+/// What the front of Kingery-Bulmash does in an ideal gas.
+template <class Law>
+Outcome ideal(Situation const& s, Law const& law) {
+  constexpr double most = 40.0;
+  double const strength = incident(s) / s.air.pressure;
+  Outcome outcome = law(incident(s));
+  if (strength <= most) return outcome;
+  return std::move(outcome).outside(
+      fmt::format("p/p_a is {:.3g}: above {:.0f} air is no ideal gas", strength, most));
+}
 
 constexpr Validity brode_range = range_of(
     "p", "bar", [](Situation const& s) { return brode_overpressure(s.scaled_distance()) / bar; },
@@ -81,7 +90,7 @@ constexpr Relation front_relation(Measure measure, std::string_view formula,
           .formula = formula,
           .source = rankine_source,
           .note = "with the peak of Kingery-Bulmash",
-          .validity = ideal_air,
+          .validity = kingery,
           .sea_level_air = true,
           .evaluate = evaluate};
 }
@@ -147,12 +156,14 @@ constexpr std::array list{
                               kingery_reflected_overpressure(burst, s.scaled_distance());
                      }),
     front_relation(Measure::reflected_overpressure, "p_r = 2p (7p_a + 4p)/(7p_a + p)",
-                   [](Situation const& s) -> Outcome {
-                     return normal_reflection(incident(s), s.air.pressure);
+                   [](Situation const& s) {
+                     return ideal(s,
+                                  [&](double p) { return normal_reflection(p, s.air.pressure); });
                    }),
-    front_relation(
-        Measure::dynamic_pressure, "q = 2.5 p^2/(7p_a + p)",
-        [](Situation const& s) -> Outcome { return dynamic_pressure(incident(s), s.air); }),
+    front_relation(Measure::dynamic_pressure, "q = 2.5 p^2/(7p_a + p)",
+                   [](Situation const& s) {
+                     return ideal(s, [&](double p) { return dynamic_pressure(p, s.air); });
+                   }),
     kingery_relation(Measure::impulse, kingery,
                      [](Situation const& s) -> Outcome {
                        return s.explosive_factor * s.size() *
@@ -185,10 +196,13 @@ constexpr std::array list{
           return s.size() * kinney_graham_duration(s.scaled_distance());
         }},
     front_relation(Measure::front_speed, "U = c sqrt(1 + 6p/7p_a)",
-                   [](Situation const& s) -> Outcome { return front_speed(incident(s), s.air); }),
-    front_relation(
-        Measure::particle_speed, "u = c (5p/7p_a)/sqrt(1 + 6p/7p_a)",
-        [](Situation const& s) -> Outcome { return particle_speed(incident(s), s.air); }),
+                   [](Situation const& s) {
+                     return ideal(s, [&](double p) { return front_speed(p, s.air); });
+                   }),
+    front_relation(Measure::particle_speed, "u = c (5p/7p_a)/sqrt(1 + 6p/7p_a)",
+                   [](Situation const& s) {
+                     return ideal(s, [&](double p) { return particle_speed(p, s.air); });
+                   }),
 };
 
 }  // namespace

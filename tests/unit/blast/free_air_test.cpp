@@ -32,21 +32,39 @@ TEST(FreeAir, ThesisFitSpansItsPressures) {
   EXPECT_NEAR(thesis_overpressure(20.0 * foot_per_pound) / psi, 2.0, 0.3);
 }
 
-// Three independent relations against Kingery-Bulmash, with the departures as measured: the figures
-// of the documentation.
-TEST(FreeAir, RelationsAgreeWithKingeryBulmash) {
-  double kinney = 0.0, henrych = 0.0, brode = 0.0;
-  for (double z = 0.0532; z <= 39.6; z *= 1.02) {
-    kinney = std::max(
-        kinney, std::fabs(kinney_graham_overpressure(z, standard_pressure) / kingery(z) - 1.0));
-    if (z >= 1.0 && z <= 10.0) {
-      henrych = std::max(henrych, std::fabs(henrych_overpressure(z) / kingery(z) - 1.0));
-      brode = std::max(brode, std::fabs(brode_overpressure(z) / kingery(z) - 1.0));
-    }
+/// Least and greatest departure of a relation from another over a range.
+struct Departure {
+  double least = INFINITY;
+  double greatest = -INFINITY;
+};
+
+template <class Law, class Reference>
+Departure departure(Law const& law, Reference const& reference, double low, double high) {
+  Departure found;
+  for (double z = low; z <= high; z *= 1.005) {
+    double const d = law(z) / reference(z) - 1.0;
+    found.least = std::min(found.least, d);
+    found.greatest = std::max(found.greatest, d);
   }
-  EXPECT_LT(kinney, 0.30);
-  EXPECT_LT(henrych, 0.35);
-  EXPECT_LT(brode, 0.25);
+  return found;
+}
+
+void expect_departure(Departure const& found, double least, double greatest) {
+  EXPECT_NEAR(found.least, least, 0.005);
+  EXPECT_NEAR(found.greatest, greatest, 0.005);
+}
+
+// Independent relations against Kingery-Bulmash: the figures of docs/blast.md.
+TEST(FreeAir, RelationsDepartFromKingeryBulmashAsThePageSays) {
+  auto const kinney = [](double z) { return kinney_graham_overpressure(z, standard_pressure); };
+  expect_departure(departure(kinney, kingery, 0.0532, 10.0), -0.101, 0.094);
+  expect_departure(departure(kinney, kingery, 10.0, 39.6), -0.10, 0.23);
+  expect_departure(departure(henrych_overpressure, kingery, 1.0, 10.0), -0.17, 0.01);
+  expect_departure(departure(henrych_overpressure, kingery, 0.05, 10.0), -0.31, 0.32);
+  expect_departure(departure(brode_overpressure, kingery, 1.0, 10.0), -0.20, -0.09);
+  EXPECT_NEAR(brode_overpressure(0.1) / kingery(0.1), 21.7, 0.1);
+  auto const duration = [](double z) { return kingery_duration(Burst::free_air, z); };
+  expect_departure(departure(kinney_graham_duration, duration, 1.0, 10.0), -0.71, -0.17);
 }
 
 TEST(FreeAir, PressuresFallWithDistance) {
