@@ -178,9 +178,10 @@ int answer_along(TopicCommand const& topic, BlastOptions const& options, BlastIn
   }
   for (std::string const* file : {&csv, &plot})
     if (!file->empty()) fmt::print("{}\n", *file);
-  if (!csv.empty() || !plot.empty()) return ExitCode::done;
-  fmt::print("{}\n", title(topic, options));
+  bool const to_files = !csv.empty() || !plot.empty();
+  if (!to_files) fmt::print("{}\n", title(topic, options));
   for (std::string const& note : input.notes) fmt::print("{}\n", note);
+  if (to_files) return ExitCode::done;
   fmt::print("{}", blast::series_text(series, input.units));
   return ExitCode::done;
 }

@@ -200,15 +200,21 @@ void derive_front(BlastReader const& reader, BlastOptions const& options, Topic 
         fmt::format("warning: that is outside its range: R/W^(1/3) is {:.4g} m/kg^(1/3), it holds "
                     "for {:.4g} to {:.4g}",
                     z, range.low, range.high));
+  if (!s.air_is_standard())
+    input.notes.emplace_back(
+        "warning: that was measured in air at sea level, 101.325 kPa and 1.225 kg/m^3");
 }
 
-void derive_decay(BlastReader& reader, Situation& situation, double impulse) {
-  if (std::isnan(impulse) || std::isnan(situation.duration)) return;
-  if (auto const k = blast::friedlander_decay(situation.overpressure, situation.duration, impulse))
-    situation.decay = *k;
-  else
+void derive_decay(BlastReader& reader, BlastInput& input, double impulse) {
+  Situation& s = input.situation;
+  if (std::isnan(impulse) || std::isnan(s.duration)) return;
+  if (auto const k = blast::friedlander_decay(s.overpressure, s.duration, impulse))
+    s.decay = *k;
+  else if (reader.given("--impulse"))
     reader.complain("--impulse", reader.text("--impulse"),
                     "fits no decay: it must be above zero and at most half of peak times duration");
+  else
+    input.notes.emplace_back("warning: that impulse fits no decay of Friedlander's history");
 }
 
 }  // namespace
@@ -242,7 +248,7 @@ BlastInput read_blast_input(TopicCommand const& command, BlastOptions const& opt
   }
   reader.finish();
   if (from_charge(reader, command)) derive_front(reader, options, command.topic, input, impulse);
-  if (command.topic == Topic::pulse) derive_decay(reader, situation, impulse);
+  if (command.topic == Topic::pulse) derive_decay(reader, input, impulse);
   if (command.topic == Topic::buried) derive_coupling(reader, situation);
   reader.finish();
   return input;

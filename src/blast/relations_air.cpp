@@ -105,7 +105,7 @@ constexpr std::array list{
         .standing = recommended,
         .formula = "p/p_a = 808 [1+(Z/4.5)^2]/sqrt{[1+(Z/.048)^2][1+(Z/.32)^2][1+(Z/1.35)^2]}",
         .source = kinney_source,
-        .note = "within 10 % of Kingery-Bulmash up to Z = 10, 23 % above at the end of this range",
+        .note = "within 11 % of Kingery-Bulmash up to Z = 10, 23 % above at the end of this range",
         .validity = scaled_metric(0.0532, 39.6),
         .evaluate = [](Situation const& s) -> Outcome {
           return s.explosive_factor *

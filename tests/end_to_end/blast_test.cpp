@@ -165,6 +165,12 @@ TEST_F(BlastCommand, WarnsOfAFrontThatIsDerivedOutsideItsRange) {
   EXPECT_EQ(far.at("notes").size(), 2u);
   std::string const note = far.at("notes").at(1);
   EXPECT_TRUE(note.starts_with("warning: that is outside its range")) << note;
+  CommandResult const table = call(
+      "blast reflection --charge \"1 g\" --distance \"50 m\" --angles 0deg 10deg 3 --csv a.csv");
+  EXPECT_NE(table.out.find("warning: that is outside its range"), std::string::npos) << table.err;
+  auto const high =
+      json("blast pulse --charge \"1 kg\" --distance \"5 m\" --ambient-pressure \"70 kPa\"");
+  EXPECT_NE(high.at("notes").at(1).get<std::string>().find("at sea level"), std::string::npos);
 }
 
 TEST_F(BlastCommand, TablesRunAlongARange) {
