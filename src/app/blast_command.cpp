@@ -9,6 +9,7 @@
 #include "app/blast_topics.hpp"
 #include "app/commands.hpp"
 #include "base/input_error.hpp"
+#include "blast/explosive.hpp"
 #include "output/blast/answer_json.hpp"
 #include "output/blast/answer_text.hpp"
 #include "output/blast/facts.hpp"
@@ -37,16 +38,40 @@ void add_value(CLI::App& command, BlastOptions& options, std::string_view flag,
   command.add_option(std::string(flag), options.values[std::string(flag)], help);
 }
 
+template <class Entries>
+std::string names_of(Entries const& entries) {
+  std::string text;
+  for (auto const& entry : entries)
+    text += fmt::format("{}{}", text.empty() ? ": " : ", ", entry.name);
+  return text;
+}
+
+/// The names that an option takes in a topic, behind a colon; none where it takes no names.
+std::string choices(std::string_view flag, blast::Topic topic) {
+  if (flag == "--explosive") return names_of(blast::explosives());
+  if (flag == "--soil") return names_of(blast::soils());
+  if (flag != "--ground") return {};
+  return topic == blast::Topic::displacement ? names_of(blast::displaced_grounds())
+                                             : names_of(blast::broken_grounds());
+}
+
+/// ", as in "2 kg"".
+std::string example(Dimension const& dimension) {
+  return dimension.unit == "1" ? std::string()
+                               : fmt::format(", as in \"2 {}\"", dimension.usual[0]);
+}
+
 void add_topic(CLI::App& blast, TopicCommand const& topic, BlastOptions& options) {
   auto* command =
       blast.add_subcommand(std::string(blast::name_of(topic.topic)), std::string(topic.help));
   for (QuantityOption const& option : quantity_options())
     if (topic.uses(option.flag))
       add_value(*command, options, option.flag,
-                fmt::format("{}, as in \"2 {}\"", option.help, option.dimension.usual[0]));
+                std::string(option.help) + example(option.dimension));
   for (NameOption const& option : name_options())
     if (topic.uses(option.flag))
-      add_value(*command, options, option.flag, std::string(option.help));
+      add_value(*command, options, option.flag,
+                std::string(option.help) + choices(option.flag, topic.topic));
   command
       ->add_option(
           std::string(topic.sweep.flag), options.sweep,

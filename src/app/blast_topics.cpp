@@ -10,11 +10,11 @@ using blast::Topic;
 
 constexpr Dimension mass{"a mass", "kg", {"kg", "g", "t", "lb"}};
 constexpr Dimension length{"a length", "m", {"m", "cm", "mm", "ft", "in"}};
-constexpr Dimension duration{"a time", "s", {"s", "ms", "us"}};
-constexpr Dimension pressure{"a pressure", "Pa", {"Pa", "kPa", "MPa", "bar", "psi", "atm"}};
+constexpr Dimension duration{"a time", "s", {"ms", "s", "us"}};
+constexpr Dimension pressure{"a pressure", "Pa", {"kPa", "Pa", "MPa", "bar", "psi", "atm"}};
 constexpr Dimension density{"a density", "kg/m^3", {"kg/m^3", "g/cm^3"}};
-constexpr Dimension angle{"an angle", "rad", {"rad", "deg"}};
-constexpr Dimension energy{"an energy", "J", {"J", "kJ", "MJ"}};
+constexpr Dimension angle{"an angle", "rad", {"deg", "rad"}};
+constexpr Dimension energy{"an energy", "J", {"MJ", "J", "kJ"}};
 constexpr Dimension number{"a plain number", "1", {"1"}};
 
 template <double Situation::*member>
@@ -68,11 +68,11 @@ constexpr std::array quantities{
 };
 
 constexpr std::array names{
-    NameOption{"--explosive", "explosive: tnt (default), amatol, comp_b, tritonal, minol_2, ..."},
+    NameOption{"--explosive", "explosive (tnt)"},
     NameOption{"--pressure-factor", "its pressures and impulses over those of TNT"},
     NameOption{"--mass-factor", "kg of TNT that 1 kg of it is worth"},
-    NameOption{"--soil", "soil: dry_soil, moist_soil, loam, silty_clay, dense_sand, ..."},
-    NameOption{"--ground", "kind of ground: clay, sand, chalk, rock, ..."},
+    NameOption{"--soil", "kind of soil"},
+    NameOption{"--ground", "kind of ground"},
     NameOption{"--impulse", "impulse of the positive phase, which gives the decay"},
 };
 

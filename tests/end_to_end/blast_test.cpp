@@ -93,6 +93,15 @@ TEST_F(BlastCommand, ExamplesOfEveryHelpRun) {
   }
 }
 
+TEST_F(BlastCommand, HelpNamesWhatItsListsHold) {
+  std::string const buried = call("blast buried --help").out;
+  for (blast::Soil const& soil : blast::soils())
+    EXPECT_NE(buried.find(soil.name), std::string::npos) << soil.name;
+  std::string const crater = call("blast crater --help").out;
+  for (blast::BrokenGround const& ground : blast::broken_grounds())
+    EXPECT_NE(crater.find(ground.name), std::string::npos) << ground.name;
+}
+
 // Every `$ moraine blast ...` of docs/blast.md prints what the page says, to the last digit.
 TEST_F(BlastCommand, PageHoldsWhatTheProgramSays) {
   std::istringstream page(bytes_of(std::string(MORAINE_SOURCE_DIR) + "/docs/blast.md"));
@@ -108,7 +117,6 @@ TEST_F(BlastCommand, PageHoldsWhatTheProgramSays) {
   EXPECT_GE(compared, 5);
 }
 
-// The figures that the page states in its text are those of its examples.
 TEST_F(BlastCommand, AnswersAreThoseOfTheLibrary) {
   auto const air = json("blast air --charge \"10 kg\" --distance \"5 m\"");
   double const z = 5.0 / std::cbrt(10.0);
