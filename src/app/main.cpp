@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/blast_command.hpp"
 #include "app/case_commands.hpp"
 #include "app/commands.hpp"
 #include "base/input_error.hpp"
@@ -24,6 +25,7 @@ struct Options {
   moraine::BenchOptions bench;
   moraine::VerifyOptions verify;
   moraine::CaseCommandOptions cases;
+  moraine::BlastOptions blast;
 };
 
 void add_run(CLI::App& app, Options& options) {
@@ -100,6 +102,7 @@ void check_command(CLI::App const& app, int argc, char** argv) {
 
 int dispatch(CLI::App const& app, Options const& options) {
   if (auto const code = moraine::run_case_command(app, options.cases)) return *code;
+  if (auto const code = moraine::run_blast_command(app, options.blast)) return *code;
   if (app.got_subcommand("run")) return moraine::run_case(options.run);
   if (app.got_subcommand("resume")) return moraine::resume_run(options.resume);
   if (app.got_subcommand("preview")) return moraine::preview_case(options.preview);
@@ -124,6 +127,7 @@ int main(int argc, char** argv) {
   add_bench(app, options);
   add_verify(app, options);
   moraine::add_case_commands(app, options.cases);
+  moraine::add_blast_command(app, options.blast);
   try {
     check_command(app, argc, argv);
     app.parse(argc, argv);

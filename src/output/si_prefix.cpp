@@ -81,6 +81,10 @@ std::string superscript(int exponent) {
 
 }  // namespace
 
+std::string power_of_ten(int exponent) { return "10" + superscript(exponent); }
+
+std::string typeset_unit(std::string_view unit) { return typeset(unit); }
+
 DisplayUnit display_unit(std::string_view unit, double largest) {
   if (unit == "m") return length_unit(largest);
   bool const motion = leading_symbol(unit) == "m";
@@ -93,7 +97,7 @@ DisplayUnit display_unit(std::string_view unit, double largest) {
   bool const readable = !(largest > 0.0) || (largest >= 1e-2 && largest < 1e5);
   int const exponent = readable ? 0 : prefix_exponent(largest, -300, 300);
   if (exponent == 0) return {1.0, typeset(unit)};
-  std::string text = "10" + superscript(exponent);
+  std::string text = power_of_ten(exponent);
   if (!unit.empty()) text += " " + typeset(unit);
   return {std::pow(10.0, exponent), text};
 }

@@ -19,6 +19,12 @@ struct DisplayUnit {
 /// 0.01 and 10 000 stay as they are. Powers are typeset: "m^2" becomes "m²".
 DisplayUnit display_unit(std::string_view unit, double largest);
 
+/// "kPa·ms" for "kPa ms", "m³" for "m^3".
+std::string typeset_unit(std::string_view unit);
+
+/// "10⁻⁵".
+std::string power_of_ten(int exponent);
+
 /// "1.23 ms": a value with its display unit and `digits` significant digits.
 std::string with_unit(double value, std::string_view unit, int digits = 3);
 

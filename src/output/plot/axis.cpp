@@ -6,6 +6,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "output/si_prefix.hpp"
+
 namespace moraine::plot {
 namespace {
 
@@ -34,7 +36,68 @@ Step round_step(double length, int most) {
   return {10.0 * power, std::max(0, -exponent - 1)};
 }
 
+/// A mark on a logarithmic axis: leading digit and power of ten.
+struct Mark {
+  int digit;
+  int exponent;
+
+  double value() const { return digit * std::pow(10.0, exponent); }
+};
+
+/// All digit * 10^(k stride) within [low, high].
+std::vector<Mark> marks(double low, double high, std::vector<int> const& digits, int stride) {
+  double const slack = 1e-9;
+  std::vector<Mark> found;
+  int const first = static_cast<int>(std::floor(std::log10(low)));
+  int const last = static_cast<int>(std::ceil(std::log10(high)));
+  for (int exponent = first; exponent <= last; ++exponent) {
+    if (exponent % stride != 0) continue;
+    for (int const digit : digits) {
+      Mark const mark{digit, exponent};
+      if (mark.value() >= low * (1.0 - slack) && mark.value() <= high * (1.0 + slack))
+        found.push_back(mark);
+    }
+  }
+  return found;
+}
+
+std::vector<Mark> fitting_marks(double low, double high, std::size_t most) {
+  for (auto const& digits : {std::vector{1, 2, 5}, std::vector{1, 3}})
+    if (auto const fine = marks(low, high, digits, 1); fine.size() <= most) return fine;
+  for (int stride = 1;; ++stride)
+    if (auto const coarse = marks(low, high, {1}, stride); coarse.size() <= most) return coarse;
+}
+
+std::string mark_text(Mark const& mark, bool decimal) {
+  if (decimal) return fmt::format("{:.{}f}", mark.value(), std::max(0, -mark.exponent));
+  std::string const power = power_of_ten(mark.exponent);
+  return mark.digit == 1 ? power : fmt::format("{}·{}", mark.digit, power);
+}
+
+Ticks ticks_of(Axis const& axis, int most) {
+  return axis.scale == Scale::linear ? round_ticks(axis.low, axis.high, most)
+                                     : log_ticks(axis.low, axis.high, most);
+}
+
 }  // namespace
+
+double Axis::fraction(double value) const {
+  if (scale == Scale::linear) return (value - low) / (high - low);
+  return std::log(value / low) / std::log(high / low);
+}
+
+Ticks log_ticks(double low, double high, int most) {
+  if (!(low > 0.0) || !has_round_values(low, high)) return {};
+  if (marks(low, high, {1, 2, 5}, 1).size() < 3) return round_ticks(low, high, most);
+  auto const found = fitting_marks(low, high, static_cast<std::size_t>(std::max(most, 1)) + 1);
+  bool const decimal = found.front().exponent >= -3 && found.back().exponent < 5;
+  Ticks ticks;
+  for (Mark const& mark : found) {
+    ticks.values.push_back(mark.value());
+    ticks.labels.push_back(mark_text(mark, decimal));
+  }
+  return ticks;
+}
 
 Ticks round_ticks(double low, double high, int most) {
   Ticks ticks;
@@ -52,13 +115,20 @@ Ticks round_ticks(double low, double high, int most) {
 Axis axis_around(double low, double high, double margin, std::string label) {
   if (!(high > low)) {
     double const half = low == 0.0 ? 1.0 : 0.05 * std::abs(low);
-    return {low - half, high + half, std::move(label)};
+    return {low - half, high + half, std::move(label), Scale::linear};
   }
   double const length = high - low;
   double const extra = margin * length;
   bool const zero_below = low >= 0.0 && low <= 0.3 * length;
   bool const zero_above = high <= 0.0 && -high <= 0.3 * length;
-  return {zero_below ? 0.0 : low - extra, zero_above ? 0.0 : high + extra, std::move(label)};
+  return {zero_below ? 0.0 : low - extra, zero_above ? 0.0 : high + extra, std::move(label),
+          Scale::linear};
+}
+
+Axis log_axis_around(double low, double high, double margin, std::string label) {
+  if (!(low > 0.0) || !std::isfinite(high)) low = high = 1.0;
+  double const extra = high > low ? std::pow(high / low, margin) : 10.0;
+  return {low / extra, high * extra, std::move(label), Scale::logarithmic};
 }
 
 Axis rounded_out(Axis axis) {
@@ -83,11 +153,11 @@ std::string axis_label(std::string_view name, std::string_view unit) {
 }
 
 Ticks Panel::x_ticks() const {
-  return round_ticks(x_.low, x_.high, std::max(2, static_cast<int>(area_.width / 55.0)));
+  return ticks_of(x_, std::max(2, static_cast<int>(area_.width / 55.0)));
 }
 
 Ticks Panel::y_ticks() const {
-  return round_ticks(y_.low, y_.high, std::max(2, static_cast<int>(area_.height / 26.0)));
+  return ticks_of(y_, std::max(2, static_cast<int>(area_.height / 26.0)));
 }
 
 void Panel::draw_grid(Canvas& canvas) const {

@@ -18,16 +18,35 @@ struct Ticks {
 /// interval is too short for the digits of its ends.
 Ticks round_ticks(double low, double high, int most);
 
-/// Interval of displayed values, with its label.
+/// Marks within [low, high] > 0 for a logarithmic axis, at most `most` + 1: 1, 2 and 5 times the
+/// powers of ten, else 1 and 3 times, else the powers, else every second, third ... power. Where an
+/// interval holds less than three of the first: round_ticks. Texts are decimals where all values
+/// are from 0.001 to below 100 000, powers of ten otherwise.
+Ticks log_ticks(double low, double high, int most);
+
+/// How values are spread along an axis.
+enum class Scale { linear, logarithmic };
+
+/// Interval of displayed values, with its label. 0 < low < high on a logarithmic axis.
 struct Axis {
   double low = 0.0;
   double high = 1.0;
   std::string label;  // "Pressure (MPa)"
+  Scale scale = Scale::linear;
+
+  /// Where a value lies between the ends, 0 to 1; not finite for values that a logarithmic axis
+  /// does not have.
+  double fraction(double value) const;
 };
 
 /// The interval that shows all values from low to high with a margin of `margin` of its length;
 /// zero is included where it is near, and an empty interval is widened.
 Axis axis_around(double low, double high, double margin, std::string label);
+
+/// The logarithmic axis that shows all values from low to high with a margin of `margin` of its
+/// length; an interval without length is widened, and one without positive values becomes 0.1
+/// to 10.
+Axis log_axis_around(double low, double high, double margin, std::string label);
 
 /// The same axis with each end moved out to a round value where one lies within 2 % of its length.
 Axis rounded_out(Axis axis);
@@ -50,12 +69,8 @@ class Panel {
   Panel(Rect const& area, Axis x, Axis y) : area_(area), x_(std::move(x)), y_(std::move(y)) {}
 
   Rect const& area() const { return area_; }
-  double page_x(double x) const {
-    return area_.left + (x - x_.low) / (x_.high - x_.low) * area_.width;
-  }
-  double page_y(double y) const {
-    return area_.bottom() - (y - y_.low) / (y_.high - y_.low) * area_.height;
-  }
+  double page_x(double x) const { return area_.left + x_.fraction(x) * area_.width; }
+  double page_y(double y) const { return area_.bottom() - y_.fraction(y) * area_.height; }
 
   /// Grid lines, below the data.
   void draw_grid(Canvas& canvas) const;

@@ -83,8 +83,9 @@ void draw_curve(Canvas& canvas, Panel const& panel, std::span<double const> x,
   if (style.dashed) cairo_set_dash(context, dashes, 2, 0.0);
   ThinnedPath path(context);
   for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
-    if (std::isfinite(x[i]) && std::isfinite(y[i]))
-      path.add(panel.page_x(x[i]), panel.page_y(y[i]));
+    double const page_x = panel.page_x(x[i]), page_y = panel.page_y(y[i]);
+    if (std::isfinite(page_x) && std::isfinite(page_y))
+      path.add(page_x, page_y);
     else
       path.lift();
   }

@@ -19,9 +19,9 @@ struct Extremes {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
-  void include(std::vector<double> const& values) {
+  void include(std::vector<double> const& values, Scale scale) {
     for (double const value : values) {
-      if (!std::isfinite(value)) continue;
+      if (!std::isfinite(value) || (scale == Scale::logarithmic && value <= 0.0)) continue;
       low = std::min(low, value);
       high = std::max(high, value);
     }
@@ -110,20 +110,31 @@ struct Grid {
   std::size_t columns, rows, count;
 };
 
-/// The value axis of a panel and the factor between its numbers and SI.
-struct ValueAxis {
+/// An axis and the factor between its numbers and those of the curves.
+struct ScaledAxis {
   Axis axis;
   double factor;
 };
 
-ValueAxis value_axis(CurvePanel const& data) {
+ScaledAxis scaled_axis(Extremes const& range, Scale scale, double margin, std::string_view name,
+                       std::string_view unit) {
+  if (scale == Scale::logarithmic)
+    return {log_axis_around(range.low, range.high, margin, axis_label(name, typeset_unit(unit))),
+            1.0};
+  DisplayUnit const shown = display_unit(unit, range.size());
+  return {axis_around(range.low / shown.factor, range.high / shown.factor, margin,
+                      axis_label(name, shown.unit)),
+          shown.factor};
+}
+
+ScaledAxis value_axis(CurvePanel const& data) {
   Extremes range;
-  for (Curve const& curve : data.curves) range.include(curve.values);
+  auto const faint = [](Curve const& curve) { return curve.faint; };
+  bool const all = std::ranges::all_of(data.curves, faint);
+  for (Curve const& curve : data.curves)
+    if (all || !curve.faint) range.include(curve.values, data.scale);
   range.close();
-  DisplayUnit const unit = display_unit(data.unit, range.size());
-  return {axis_around(range.low / unit.factor, range.high / unit.factor, 0.06,
-                      axis_label(data.quantity, unit.unit)),
-          unit.factor};
+  return scaled_axis(range, data.scale, 0.06, data.quantity, data.unit);
 }
 
 double left_margin_for(std::vector<CurvePanel> const& panels) {
@@ -145,14 +156,15 @@ struct Page {
 
 void draw_panel(Canvas& canvas, Page const& page, CurvePanel const& data, Rect const& area,
                 bool lowest) {
-  ValueAxis const value = value_axis(data);
+  ScaledAxis const value = value_axis(data);
   Panel const panel(area, page.x_axis, value.axis);
   panel.draw_grid(canvas);
   for (Curve const& curve : data.curves) {
     auto const place =
         std::find(page.names.begin(), page.names.end(), curve.name) - page.names.begin();
-    draw_curve(canvas, panel, page.x, scaled(curve.values, value.factor),
-               style_of(static_cast<std::size_t>(place)));
+    CurveStyle style = style_of(static_cast<std::size_t>(place));
+    if (curve.faint) style = {.color = style.color, .width = 0.6, .dashed = true};
+    draw_curve(canvas, panel, page.x, scaled(curve.values, value.factor), style);
   }
   panel.draw_axes(canvas, {.x_labels = lowest, .y_labels = true}, page.grid.left_margin);
 }
@@ -160,14 +172,14 @@ void draw_panel(Canvas& canvas, Page const& page, CurvePanel const& data, Rect c
 }  // namespace
 
 void draw_stacked_panels(std::filesystem::path const& out, std::string const& title, Curve const& x,
-                         std::string const& x_unit, std::vector<CurvePanel> const& panels) {
+                         std::string const& x_unit, std::vector<CurvePanel> const& panels,
+                         Scale x_scale) {
   Extremes range;
-  range.include(x.values);
+  range.include(x.values, x_scale);
   range.close();
-  DisplayUnit const unit = display_unit(x_unit, range.size());
-  Axis const x_axis = rounded_out(axis_around(range.low / unit.factor, range.high / unit.factor,
-                                              0.0, axis_label(x.name, unit.unit)));
-  Page const page{legend_names(panels), scaled(x.values, unit.factor), x_axis,
+  auto const [x_axis, factor] = scaled_axis(range, x_scale, 0.0, x.name, x_unit);
+  Page const page{legend_names(panels), scaled(x.values, factor),
+                  x_scale == Scale::linear ? rounded_out(x_axis) : x_axis,
                   Grid(panels.size(), left_margin_for(panels))};
   Grid const& grid = page.grid;
 

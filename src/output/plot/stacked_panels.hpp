@@ -5,24 +5,29 @@
 #include <string>
 #include <vector>
 
+#include "output/plot/axis.hpp"
+
 namespace moraine::plot {
 
-/// A curve in SI units.
+/// A curve in the units of its panel.
 struct Curve {
   std::string name;  // in the legend, unless empty; curves of the same name share a colour
   std::vector<double> values;
+  bool faint = false;  // thin and dashed; shapes no axis where there are others
 };
 
 /// Curves of one quantity.
 struct CurvePanel {
   std::string quantity;  // "pressure"
-  std::string unit;      // SI
+  std::string unit;      // SI on a linear axis, which chooses a prefix; any on a logarithmic one
   std::vector<Curve> curves;
+  Scale scale = Scale::linear;
 };
 
 /// Draws panels of equal size below one another (in two columns for more than four) with a common
-/// legend on top. `x` is the common axis in SI units.
+/// legend on top. `x` is the common axis; its unit is like that of a panel.
 void draw_stacked_panels(std::filesystem::path const& out, std::string const& title, Curve const& x,
-                         std::string const& x_unit, std::vector<CurvePanel> const& panels);
+                         std::string const& x_unit, std::vector<CurvePanel> const& panels,
+                         Scale x_scale = Scale::linear);
 
 }  // namespace moraine::plot

@@ -101,6 +101,17 @@ TEST(Units, SaysWhatIsWrong) {
   }
 }
 
+// Dimensions that case files do not hold.
+TEST(Units, ConvertsAnyOtherDimension) {
+  Dimension const impulse{"an impulse per area", "Pa s", {"Pa s", "kPa ms"}};
+  EXPECT_EQ(to_si("3 kPa ms", impulse).value, 3.0);
+  EXPECT_NEAR(*to_si("1 psi s", impulse).value, 6894.757293168, 1e-8);
+  EXPECT_EQ(to_si("3 kPa", impulse).rule, "is a pressure; an impulse per area is expected (Pa s)");
+  EXPECT_EQ(to_si("3 kPa m", impulse).rule,
+            "has another dimension; an impulse per area is expected (Pa s)");
+  EXPECT_EQ(to_si("3 kpa ms", impulse).hint, "did you mean \"kPa ms\"?");
+}
+
 TEST(Units, PrintsNothing) {
   testing::internal::CaptureStderr();
   to_si("10 blub", Quantity::length);
