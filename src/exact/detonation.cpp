@@ -68,7 +68,7 @@ TaylorWave::TaylorWave(Explosive explosive)
   double const u = detonation_.behind.velocity;
   IsentropeState const at =
       isentrope_.where([u](IsentropeState const& s) { return u - s.velocity_change; });
-  if (!isentrope_.spreads() || !(isentrope_.end().velocity_change > u))
+  if (!isentrope_.spreads(at) || !(isentrope_.end().velocity_change > u))
     throw std::domain_error("detonation: the products cannot come to rest behind the wave");
   rest_ = {at.density, 0.0, at.pressure, at.specific_energy};
   rest_speed_ = at.sound_speed;

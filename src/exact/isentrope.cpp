@@ -1,10 +1,9 @@
 #include "exact/isentrope.hpp"
 
 #include <algorithm>
-#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
-#include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "base/bisect.hpp"
@@ -14,15 +13,16 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-constexpr double relative_error = 1e-13;  // per step
-constexpr double first_step = 1e-3;       // in ln(rho)
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double tolerance = 1e-13;  // of a step, relative
+constexpr double first_step = 1e-3;  // in ln(rho)
 constexpr double least_step = 1e-13;
 constexpr double longest_step = 0.5;
-constexpr double escaped = 1e-12;     // sound speed over that of the start
-constexpr double emptiest = 1e-200;   // density over that of the start
-constexpr double mismatch = 1e-6;     // of the fall of pressure in a step, beyond: the floor
-constexpr double rounding = 1e-12;    // of rho c^2, in pressures
-constexpr double tiny_value = 1e-30;  // absolute error, for components that are zero
+constexpr double escaped = 1e-12;    // sound speed over that of the start
+constexpr double torn = 1e-3;        // the same under tension
+constexpr double emptiest = 1e-200;  // density over that of the start
+constexpr double mismatch = 1e-6;    // of the fall of pressure in a step, beyond: the floor
+constexpr double rounding = 1e-14;   // of rho c^2 at the start, in pressures
 
 }  // namespace
 
@@ -48,10 +48,12 @@ IsentropeState Isentrope::state(Vector const& y, double s) const {
 }
 
 Isentrope::Vector Isentrope::rate(Vector const& y, double s) const {
-  IsentropeState const at = state(y, s);
-  double const c2 = sound_speed_ * sound_speed_;
-  return {-at.pressure / (at.density * c2), at.sound_speed / sound_speed_,
-          -at.density * at.sound_speed * at.sound_speed / (density_ * c2)};
+  double const rho = density_ * std::exp(-s);
+  double const start = sound_speed_ * sound_speed_;
+  double const e = y[0] * start;
+  double const c2 = law_.sound_speed_squared(rho, e);
+  return {-law_.pressure(rho, e) / (rho * start), signed_root(c2) / sound_speed_,
+          -rho * c2 / (density_ * start)};
 }
 
 bool Isentrope::admits(Vector const& y, double s) const {
@@ -59,57 +61,73 @@ bool Isentrope::admits(Vector const& y, double s) const {
   return at.sound_speed > 0.0 && std::isfinite(at.sound_speed) && std::isfinite(at.pressure);
 }
 
-Isentrope::Vector Isentrope::stepped(std::size_t knot, double size) const {
+Isentrope::Vector Isentrope::stepped(Vector const& from, double s, double size) const {
   odeint::runge_kutta_fehlberg78<Vector> stepper;
-  Vector y = knots_[knot];
-  stepper.do_step([this](Vector const& x, Vector& dx, double s) { dx = rate(x, s); }, y,
-                  depths_[knot], size);
+  Vector y = from;
+  stepper.do_step([this](Vector const& x, Vector& dx, double at) { dx = rate(x, at); }, y, s, size);
   return y;
 }
 
+// Difference of two results of a step over what is allowed, e, w and p measured by c^2, c, rho c^2.
+double Isentrope::error(Vector const& a, Vector const& b, double s) const {
+  IsentropeState const at = state(b, s);
+  double const c = at.sound_speed / sound_speed_;
+  double const scale[] = {c * c, c, at.density / density_ * c * c};
+  double worst = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+    worst = std::max(worst, std::fabs(a[k] - b[k]) / (std::fabs(b[k]) + scale[k]));
+  return worst / tolerance;
+}
+
+void Isentrope::add_knot(Vector y, double s) {
+  IsentropeState const reached = state(y, s);
+  y[2] = reached.pressure / (density_ * sound_speed_ * sound_speed_);
+  depths_.push_back(s);
+  knots_.push_back(y);
+  states_.push_back(reached);
+}
+
+bool Isentrope::met_floor(Vector const& y, double s) const {
+  IsentropeState const reached = state(y, s);
+  double const unit = density_ * sound_speed_ * sound_speed_;
+  double const fall = knots_.back()[2] - y[2];
+  return std::fabs(reached.pressure / unit - y[2]) > mismatch * fall + rounding;
+}
+
 void Isentrope::integrate() {
-  auto stepper =
-      odeint::make_controlled(tiny_value, relative_error, odeint::runge_kutta_fehlberg78<Vector>());
-  auto const system = [this](Vector const& y, Vector& dy, double s) { dy = rate(y, s); };
   double size = first_step;
-  for (;;) {
-    Vector y = knots_.back();
-    double s = depths_.back();
-    double const tried = size;
-    if (stepper.try_step(system, y, s, size) == odeint::fail) {
-      if (size < least_step) break;
+  while (size > least_step) {
+    double const s = depths_.back(), half = 0.5 * size;
+    Vector const whole = stepped(knots_.back(), s, size);
+    Vector const middle = stepped(knots_.back(), s, half);
+    Vector const y = stepped(middle, s + half, half);
+    double const wrong =
+        admits(middle, s + half) && admits(y, s + size) ? error(whole, y, s + size) : infinity;
+    if (!(wrong <= 1.0)) {
+      size *= wrong < infinity ? std::clamp(0.9 * std::pow(wrong, -1.0 / 9.0), 0.1, 0.5) : 0.5;
       continue;
     }
-    if (!admits(y, s)) {
-      size = 0.5 * tried;
-      if (size < least_step) break;
-      continue;
-    }
-    IsentropeState const reached = state(y, s);
-    double const scale = density_ * sound_speed_ * sound_speed_;
-    double const fall = knots_.back()[2] - y[2];
-    double const stiffness = reached.density * reached.sound_speed * reached.sound_speed / scale;
-    if (std::fabs(reached.pressure / scale - y[2]) > mismatch * fall + rounding * stiffness)
-      return end_at_floor(s - depths_.back());
-    y[2] = reached.pressure / scale;
-    depths_.push_back(s);
-    knots_.push_back(y);
-    states_.push_back(reached);
-    size = std::min(size, longest_step);
-    if (reached.sound_speed < escaped * sound_speed_ || reached.density < emptiest * density_)
+    if (met_floor(middle, s + half)) return end_at_floor(half);
+    add_knot(middle, s + half);
+    if (met_floor(y, s + size)) return end_at_floor(half);
+    add_knot(y, s + size);
+    IsentropeState const& last = states_.back();
+    if (last.pressure < 0.0 && last.sound_speed < torn * sound_speed_) break;
+    if (last.sound_speed < escaped * sound_speed_ || last.density < emptiest * density_)
       return end_in_vacuum();
+    size = std::min(longest_step, size * std::min(4.0, 0.9 * std::pow(wrong, -1.0 / 9.0)));
   }
-  ends_by_ = IsentropeEnd::no_sound_speed;
+  ends_by_ = IsentropeEnd::rupture;
 }
 
 // Without a floor the pressure would be what is integrated: where that meets the floor, it begins.
 void Isentrope::end_at_floor(double size) {
-  std::size_t const knot = knots_.size() - 1;
+  Vector const from = knots_.back();
   double const s = depths_.back();
   double const scale = density_ * sound_speed_ * sound_speed_;
-  double const floor = state(stepped(knot, size), s + size).pressure / scale;
-  double const part = bisect([&](double h) { return stepped(knot, h)[2] - floor; }, 0.0, size);
-  knots_.push_back(stepped(knot, part));
+  double const floor = state(stepped(from, s, size), s + size).pressure / scale;
+  double const part = bisect([&](double h) { return stepped(from, s, h)[2] - floor; }, 0.0, size);
+  knots_.push_back(stepped(from, s, part));
   depths_.push_back(s + part);
   states_.push_back(state(knots_.back(), depths_.back()));
   states_.back().pressure = floor * scale;
@@ -132,22 +150,22 @@ IsentropeState Isentrope::where(std::function<double(IsentropeState const&)> con
       states_.begin(), states_.end(), [&](IsentropeState const& at) { return excess(at) > 0.0; });
   auto const next = static_cast<std::size_t>(first_below - states_.begin());
   if (next >= knots_.size()) return states_.back();
-  std::size_t const knot = next - 1;
-  double const size =
-      bisect([&](double h) { return excess(state(stepped(knot, h), depths_[knot] + h)); }, 0.0,
-             depths_[next] - depths_[knot]);
-  return state(stepped(knot, size), depths_[knot] + size);
+  Vector const& from = knots_[next - 1];
+  double const s = depths_[next - 1];
+  double const size = bisect([&](double h) { return excess(state(stepped(from, s, h), s + h)); },
+                             0.0, depths_[next] - s);
+  return state(stepped(from, s, size), s + size);
 }
 
 IsentropeState Isentrope::at_pressure(double p) const {
   return where([p](IsentropeState const& at) { return at.pressure - p; });
 }
 
-bool Isentrope::spreads() const {
-  for (std::size_t k = 1; k < states_.size(); ++k)
-    if (states_[k].sound_speed - states_[k].velocity_change >
-        states_[k - 1].sound_speed - states_[k - 1].velocity_change)
-      return false;
+bool Isentrope::spreads(IsentropeState const& last) const {
+  auto const speed = [](IsentropeState const& at) { return at.sound_speed - at.velocity_change; };
+  double const slack = 1e-9 * sound_speed_;  // of rounding
+  for (std::size_t k = 1; k < states_.size() && states_[k].density >= last.density; ++k)
+    if (speed(states_[k]) > speed(states_[k - 1]) + slack) return false;
   return true;
 }
 

@@ -1,6 +1,7 @@
 // What exact solutions ask of a material.
 #pragma once
 
+#include <concepts>
 #include <functional>
 #include <utility>
 #include <variant>

@@ -18,11 +18,7 @@ FlowState flow_state(IsentropeState const& at) {
 WaveCurve::WaveCurve(Law law, double density, double specific_energy)
     : law_(std::move(law)),
       isentrope_(law_, density, specific_energy),
-      ahead_{density, 0.0, isentrope_.start().pressure, specific_energy} {
-  if (!isentrope_.spreads())
-    throw std::domain_error(
-        "wave: a rarefaction of this equation of state would steepen to a shock");
-}
+      ahead_{density, 0.0, isentrope_.start().pressure, specific_energy} {}
 
 IsentropeState WaveCurve::expanded(double pressure) const {
   return pressure > isentrope_.end().pressure ? isentrope_.at_pressure(pressure) : isentrope_.end();
@@ -45,6 +41,9 @@ Wave WaveCurve::wave(double pressure) const {
             {shock.density, u, shock.pressure, shock.specific_energy}};
   }
   IsentropeState const at = expanded(pressure);
+  if (!isentrope_.spreads(at))
+    throw std::domain_error(
+        "wave: a rarefaction of this equation of state would steepen to a shock");
   return {WaveKind::rarefaction, isentrope_.start().sound_speed,
           at.sound_speed - at.velocity_change, flow_state(at)};
 }

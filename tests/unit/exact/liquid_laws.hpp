@@ -28,16 +28,20 @@ struct SteinbergWater {
 
   double pressure(double rho, double e) const {
     double const x = 1.0 - rho_0 / rho;
-    double const speed = c_0 / (1.0 - x * (s_1 + x * (s_2 + x * s_3)));
-    double const p_h = rho_0 * speed * speed * x;
-    return p_h + gruneisen * rho_0 * (e - 0.5 * p_h * x / rho_0);
+    return hugoniot(x) * (1.0 - 0.5 * gruneisen * x) + gruneisen * rho_0 * e;
   }
-  /// By differences along the adiabat; good to about eight digits.
   double sound_speed_squared(double rho, double e) const {
-    double const step = 1e-5 * rho;
-    double const heat = pressure(rho, e) / (rho * rho) * step;
-    return (pressure(rho + step, e + heat) - pressure(rho - step, e - heat)) / (2.0 * step);
+    double const x = 1.0 - rho_0 / rho;
+    double const d = divisor(x);
+    double const slope =
+        rho_0 * c_0 * c_0 / (d * d) * (1.0 + 2.0 * x / d * (s_1 + x * (2.0 * s_2 + 3.0 * s_3 * x)));
+    double const by_x = slope * (1.0 - 0.5 * gruneisen * x) - 0.5 * gruneisen * hugoniot(x);
+    return rho_0 / (rho * rho) * (by_x + gruneisen * pressure(rho, e));
   }
+
+ private:
+  static double divisor(double x) { return 1.0 - x * (s_1 + x * (s_2 + x * s_3)); }
+  static double hugoniot(double x) { return rho_0 * c_0 * c_0 * x / (divisor(x) * divisor(x)); }
 };
 
 }  // namespace moraine
