@@ -62,6 +62,22 @@ TEST(RiemannProblem, IsTheClosedFormForIdealGases) {
   }
 }
 
+// Two published tubes of stiffened gases: gas of 0.8 GPa on water, and water of 1 GPa on air
+// (Saurel and Abgrall, J. Comput. Phys. 150 (1999) 425). The figures: Toro's eqs. (4.6) to (4.8)
+// with all pressures shifted by p_inf, bisected in another language.
+TEST(RiemannProblem, StiffenedGases) {
+  StiffenedGas const stiff{7.15, 3.31e8};
+  RiemannProblem const drive(gas_side({1270.0, 0.0, 8e8}),
+                             {stiff, 1000.0, 0.0, stiff.energy_at_pressure(1000.0, 1e5)});
+  EXPECT_NEAR(drive.star_pressure() / 542458860.332, 1.0, 1e-10);
+  EXPECT_NEAR(drive.star_velocity() / 253.497474617, 1.0, 1e-10);
+  StiffenedGas const water{4.4, 6e8};
+  RiemannProblem const burst({water, 1000.0, 0.0, water.energy_at_pressure(1000.0, 1e9)},
+                             gas_side({50.0, 0.0, 1e5}));
+  EXPECT_NEAR(burst.star_pressure() / 14190477.2133, 1.0, 1e-10);
+  EXPECT_NEAR(burst.star_velocity() / 482.610412127, 1.0, 1e-10);
+}
+
 struct MaterialPair {
   char const* name;
   RiemannSide left;
