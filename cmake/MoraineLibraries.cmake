@@ -4,6 +4,7 @@ find_package(fmt REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(pugixml REQUIRED)
+find_package(Boost 1.74 REQUIRED)  # headers: Math and Odeint, in src/exact
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
 
@@ -21,4 +22,4 @@ target_include_directories(moraine_libraries SYSTEM INTERFACE
   "${UDUNITS2_INCLUDE_DIR}" "${CLI11_INCLUDE_DIR}")
 target_link_libraries(moraine_libraries INTERFACE
   OpenMP::OpenMP_CXX fmt::fmt tomlplusplus::tomlplusplus
-  nlohmann_json::nlohmann_json pugixml::pugixml PkgConfig::CAIRO PkgConfig::XXHASH PkgConfig::HDF5 PkgConfig::MUPARSER "${UDUNITS2_LIBRARY}")
+  nlohmann_json::nlohmann_json Boost::headers pugixml::pugixml PkgConfig::CAIRO PkgConfig::XXHASH PkgConfig::HDF5 PkgConfig::MUPARSER "${UDUNITS2_LIBRARY}")

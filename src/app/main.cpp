@@ -12,6 +12,7 @@
 #include "app/blast_command.hpp"
 #include "app/case_commands.hpp"
 #include "app/commands.hpp"
+#include "app/exact_command.hpp"
 #include "base/input_error.hpp"
 #include "output/output_error.hpp"
 
@@ -24,6 +25,7 @@ struct Options {
   moraine::PlotOptions plot;
   moraine::BenchOptions bench;
   moraine::VerifyOptions verify;
+  moraine::ExactOptions exact;
   moraine::CaseCommandOptions cases;
   moraine::BlastOptions blast;
 };
@@ -108,6 +110,7 @@ int dispatch(CLI::App const& app, Options const& options) {
   if (app.got_subcommand("preview")) return moraine::preview_case(options.preview);
   if (app.got_subcommand("bench")) return moraine::run_bench(options.bench);
   if (app.got_subcommand("verify")) return moraine::run_verify(options.verify);
+  if (app.got_subcommand("exact")) return moraine::run_exact(options.exact);
   return moraine::plot_folder(options.plot);
 }
 
@@ -126,6 +129,7 @@ int main(int argc, char** argv) {
   add_plot(app, options);
   add_bench(app, options);
   add_verify(app, options);
+  moraine::add_exact(app, options.exact);
   moraine::add_case_commands(app, options.cases);
   moraine::add_blast_command(app, options.blast);
   try {

@@ -70,6 +70,43 @@ TEST(Hugoniot, WeakShocksAreSound) {
   }
 }
 
+// The pressure behind the shock of a piston leads back to the piston.
+TEST(Hugoniot, ByPressureAsByPiston) {
+  for (Eos const& eos : {Eos(Tait{}), Eos(WaterPolynomial{}), Eos(Jwl{}), Eos(IdealGas{})}) {
+    double const rho = reference_density(eos);
+    double const e = reference_energy(eos);
+    for (double const u : {1.0, 50.0, 500.0, 2000.0}) {
+      ShockState const by_piston = shock_from_piston(eos, rho, e, u);
+      auto const [behind, piston] = shock_to_pressure(eos, rho, e, by_piston.pressure);
+      EXPECT_NEAR(piston, u, 1e-9 * u) << eos_name(eos);
+      EXPECT_NEAR(behind.shock_speed, by_piston.shock_speed, 1e-9 * behind.shock_speed);
+      EXPECT_NEAR(behind.density, by_piston.density, 1e-9 * behind.density);
+      EXPECT_NEAR(behind.specific_energy, by_piston.specific_energy,
+                  1e-9 * std::fabs(behind.specific_energy));
+    }
+    double const p = pressure(eos, rho, e);
+    EXPECT_EQ(shock_to_pressure(eos, rho, e, p).piston_velocity, 0.0);
+    EXPECT_THROW(shock_to_pressure(eos, rho, e, p - 1.0), std::invalid_argument);
+  }
+}
+
+/// A law with a pole: the linear relation U = c + s u ends where the density is rho_0 s/(s-1).
+struct LinearHugoniot {
+  double pressure(double rho, double) const {
+    double const x = 1.0 - 1000.0 / rho;
+    return x < 0.5 ? 1000.0 * 1480.0 * 1480.0 * x / ((1.0 - 2.0 * x) * (1.0 - 2.0 * x)) : NAN;
+  }
+  double sound_speed_squared(double, double) const { return 1480.0 * 1480.0; }
+};
+
+TEST(Hugoniot, CurveOfALinearRelation) {
+  auto const curve = hugoniot_curve(LinearHugoniot{}, 1000.0, 0.0, 5000.0, 11);
+  ASSERT_EQ(curve.size(), 11u);
+  for (auto const& [behind, piston] : curve)
+    EXPECT_NEAR(behind.shock_speed, 1480.0 + 2.0 * piston, 1e-8 * behind.shock_speed);
+  EXPECT_EQ(curve.back().piston_velocity, 5000.0);
+}
+
 std::string message_of(double density, double energy, double piston) {
   try {
     shock_from_piston(IdealGas{}, density, energy, piston);
@@ -80,9 +117,9 @@ std::string message_of(double density, double energy, double piston) {
 }
 
 TEST(Hugoniot, RefusesWhatIsNoShock) {
-  EXPECT_EQ(message_of(0.0, 1e5, 10.0), "shock from piston: density must be positive");
-  EXPECT_EQ(message_of(1.0, -1e5, 10.0), "shock from piston: the state ahead has no sound speed");
-  char const* const velocity = "shock from piston: the velocity must be finite and not negative";
+  EXPECT_EQ(message_of(0.0, 1e5, 10.0), "shock: density must be positive");
+  EXPECT_EQ(message_of(1.0, -1e5, 10.0), "shock: the state ahead has no sound speed");
+  char const* const velocity = "shock: the piston's velocity must be finite and not negative";
   EXPECT_EQ(message_of(1.0, 1e5, -1.0), velocity);
   EXPECT_EQ(message_of(1.0, 1e5, INFINITY), velocity);
 }
