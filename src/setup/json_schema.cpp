@@ -43,6 +43,13 @@ Json name_schema(Names const& names) {
 
 Json list_of(Json items) { return Json{{"type", "array"}, {"items", std::move(items)}}; }
 
+Json vector_schema(Parameter const& parameter) {
+  Json list = list_of(number_schema(parameter));
+  list["minItems"] = 1;
+  list["maxItems"] = 3;
+  return list;
+}
+
 Json value_schema(Parameter const& parameter) {
   switch (parameter.type) {
     case ValueType::integer:
@@ -50,12 +57,8 @@ Json value_schema(Parameter const& parameter) {
       return number_schema(parameter);
     case ValueType::reals:
       return list_of(number_schema(parameter));
-    case ValueType::vector: {
-      Json list = list_of(number_schema(parameter));
-      list["minItems"] = 1;
-      list["maxItems"] = 3;
-      return list;
-    }
+    case ValueType::vector:
+      return vector_schema(parameter);
     case ValueType::text:
       return Json{{"type", "string"}, {"minLength", 1}};
     case ValueType::choice:
@@ -75,6 +78,8 @@ Json value_schema(Parameter const& parameter) {
       corner["maxItems"] = 2;
       return list_of(std::move(corner));
     }
+    case ValueType::points:
+      return list_of(vector_schema(parameter));
     case ValueType::shapes:
       return list_of(Json{{"$ref", "#/$defs/shape"}});
     case ValueType::shape_key:
@@ -280,8 +285,10 @@ std::string lengths_of_shapes(int dimension) {
 Json vector_lengths(Parameters const& parameters, int dimension) {
   Json table = Json::object();
   for (auto const* parameter : parameters) {
-    if (parameter->type == ValueType::vector)
-      put(table, parameter->key, Json{{"minItems", dimension}, {"maxItems", dimension}}, false);
+    Json const length{{"minItems", dimension}, {"maxItems", dimension}};
+    if (parameter->type == ValueType::vector) put(table, parameter->key, length, false);
+    if (parameter->type == ValueType::points)
+      put(table, parameter->key, Json{{"items", length}}, false);
     if (parameter->type == ValueType::shapes)
       put(table, parameter->key,
           Json{{"items", Json{{"$ref", "#/$defs/" + lengths_of_shapes(dimension)}}}}, false);
