@@ -39,8 +39,8 @@ struct ShockWave {
 ///
 ///   e - e_0 = (p + p_0) (1/rho_0 - 1/rho) / 2,   u^2 = (p - p_0) (1/rho_0 - 1/rho)
 ///
-/// the first compression that satisfies the equation of state. Source as above, eqs. (1.71) and
-/// (1.67) of section 15. Range: p >= p_0, else std::invalid_argument; errors as above.
+/// the first compression that satisfies the equation of state. Source as above, eq. (1.71).
+/// Range: p >= p_0, else std::invalid_argument; errors as above.
 ShockWave shock_to_pressure(Law const& law, double density, double specific_energy,
                             double pressure);
 

@@ -129,8 +129,9 @@ void Isentrope::end_in_vacuum() {
 
 IsentropeState Isentrope::where(std::function<double(IsentropeState const&)> const& excess) const {
   if (!(excess(states_.front()) > 0.0)) return states_.front();
-  std::size_t next = 1;
-  while (next < states_.size() && excess(states_[next]) > 0.0) ++next;
+  auto const first_below = std::partition_point(
+      states_.begin(), states_.end(), [&](IsentropeState const& at) { return excess(at) > 0.0; });
+  auto const next = static_cast<std::size_t>(first_below - states_.begin());
   if (next >= knots_.size()) return states_.back();
   std::size_t const knot = next - 1;
   double const size =

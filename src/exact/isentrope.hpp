@@ -30,7 +30,7 @@ enum class IsentropeEnd {
 ///   de/drho = p / rho^2,   dw/drho = -c / rho
 ///
 /// w is what a rarefaction wave adds to the velocity; Landau and Lifshitz, Fluid Mechanics, 2nd ed.
-/// (1987), section 99, eq. (99.10) and section 101.
+/// (1987), section 99.
 ///
 /// Integrated in -ln(rho) by an embedded Runge-Kutta-Fehlberg method of order 8(7) with a relative
 /// error of 1e-13 per step, until the sound speed has fallen to 1e-12 of its start; what is left of
@@ -47,15 +47,15 @@ class Isentrope {
   IsentropeState const& end() const { return states_.back(); }
   IsentropeEnd ends_by() const { return ends_by_; }
 
-  /// The first state on the way down in density where `excess` is not positive any more; the end if
-  /// there is none.
+  /// The state on the way down in density where `excess` stops to be positive, which it does once;
+  /// the end if it does not.
   IsentropeState where(std::function<double(IsentropeState const&)> const& excess) const;
 
   /// The state at pressure `p` [Pa], between the pressures of start and end.
   IsentropeState at_pressure(double p) const;
 
   /// Whether u + c falls all the way down, so that a rarefaction wave spreads and does not steepen:
-  /// Landau and Lifshitz, section 99, eq. (99.11), positive everywhere.
+  /// a positive fundamental derivative, Menikoff and Plohr, Rev. Mod. Phys. 61 (1989) 75.
   bool spreads() const;
 
  private:
