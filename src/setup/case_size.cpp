@@ -130,9 +130,8 @@ CaseSize estimate_size(Case const& c) {
     return m.burn.kind == BurnKind::programmed;
   });
   double const burning = burns ? 32.0 : 0.0;  // two numbers, here and in a checkpoint
-  size.bytes += size.particles() *
-                (bytes_per_particle[axes] + checkpoint_bytes_per_particle[axes] + envelopes +
-                 burning);
+  size.bytes += size.particles() * (bytes_per_particle[axes] + checkpoint_bytes_per_particle[axes] +
+                                    envelopes + burning);
   return size;
 }
 

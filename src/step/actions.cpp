@@ -118,8 +118,8 @@ void Simulation::evaluate_matter() {
     for_each_block(count, loop_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         std::size_t const i = index(k);
-        StateResponse const state = respond(i, density[i] + ahead * density_rate[i],
-                                            energy[i] + ahead * energy_rate[i]);
+        StateResponse const state =
+            respond(i, density[i] + ahead * density_rate[i], energy[i] + ahead * energy_rate[i]);
         pressure[i] = state.pressure;
         sound_speed[i] = state.sound_speed;
       }
@@ -137,7 +137,8 @@ void Simulation::evaluate_matter() {
         [&](auto const& law) {
           if constexpr (is_products<std::decay_t<decltype(law)>>)
             if (burn) return pass_material(m, burning(law, burn->law, store, now));
-          pass_material(m, [&law](std::size_t, double rho, double e) { return law.respond(rho, e); });
+          pass_material(m,
+                        [&law](std::size_t, double rho, double e) { return law.respond(rho, e); });
         },
         eos);
   }
@@ -151,8 +152,8 @@ void Simulation::evaluate_matter() {
               density[i], energy[i]);
           double const limit = limiting_density(model_.materials[store.material()[i]].eos);
           if (density[i] + ahead * density_rate[i] >= limit)
-            cause += fmt::format("; no shock reaches the density {:.6g} kg/m^3 (1 / hugoniot_slope)",
-                                 limit);
+            cause += fmt::format(
+                "; no shock reaches the density {:.6g} kg/m^3 (1 / hugoniot_slope)", limit);
           return cause;
         }});
 }

@@ -38,7 +38,8 @@ struct FieldInfo {
 };
 
 inline constexpr std::array field_table{
-    FieldInfo{Field::position, "position", "m", Rank::vector, true, true, false, "place of the particle"},
+    FieldInfo{Field::position, "position", "m", Rank::vector, true, true, false,
+              "place of the particle"},
     FieldInfo{Field::velocity, "velocity", "m/s", Rank::vector, true, false, false,
               "velocity of the particle"},
     FieldInfo{Field::density, "density", "kg/m^3", Rank::scalar, true, true, false, "mass density"},
@@ -56,7 +57,7 @@ inline constexpr std::array field_table{
               "rate of density"},
     FieldInfo{Field::energy_rate, "energy_rate", "W/kg", Rank::scalar, true, false, false,
               "rate of specific energy"},
-    FieldInfo{Field::burn_fraction, "burn_fraction", "-", Rank::scalar, true, false, true,
+    FieldInfo{Field::burn_fraction, "burn_fraction", "", Rank::scalar, true, false, true,
               "part of the explosive that has burnt, with programmed burn; 0 elsewhere"},
     FieldInfo{Field::lighting_time, "lighting_time", "s", Rank::scalar, true, false, true,
               "when the front of a programmed burn gets to the particle; infinite: never"},
