@@ -1,5 +1,8 @@
 #include "setup/check_burn.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <stdexcept>
 
 #include "exact/detonation.hpp"
@@ -8,6 +11,10 @@
 namespace moraine {
 namespace {
 
+Detonation detonation_of(Eos const& eos) {
+  return chapman_jouguet({eos, reference_density(eos), reference_energy(eos)});
+}
+
 /// The Chapman-Jouguet state where the spec does not say both of its values.
 void resolve(MaterialSpec& material) {
   BurnSpec& burn = material.burn;
@@ -15,10 +22,9 @@ void resolve(MaterialSpec& material) {
   if (!burn.detonation_velocity && jwl != nullptr)
     burn.detonation_velocity = jwl->detonation_velocity;
   if (burn.detonation_velocity && burn.cj_volume) return;
-  double const density = reference_density(material.eos);
-  Detonation const cj = chapman_jouguet({material.eos, density, reference_energy(material.eos)});
+  Detonation const cj = detonation_of(material.eos);
   if (!burn.detonation_velocity) burn.detonation_velocity = cj.speed;
-  if (!burn.cj_volume) burn.cj_volume = density / cj.behind.density;
+  if (!burn.cj_volume) burn.cj_volume = reference_density(material.eos) / cj.behind.density;
 }
 
 }  // namespace
@@ -49,6 +55,25 @@ void check_burn(MaterialSpec& material, std::string const& key, Source& source) 
   } catch (std::logic_error const&) {  // std::domain_error and std::invalid_argument are of it
     source.report_value(kind, "finds no Chapman-Jouguet state for the constants of the material",
                         "give burn.cj_volume and burn.detonation_velocity");
+  }
+}
+
+void add_burn_warnings(Case const& c, std::vector<InputProblem>& warnings) {
+  constexpr double usual = 0.03;  // of constants that are fitted to a measured speed
+  for (MaterialSpec const& material : c.materials) {
+    BurnSpec const& burn = material.burn;
+    if (burn.kind != BurnKind::programmed || !burn.detonation_velocity) continue;
+    try {
+      double const own = detonation_of(material.eos).speed;
+      double const given = *burn.detonation_velocity;
+      if (std::abs(given / own - 1.0) > usual)
+        warnings.push_back(problem_of(
+            c, "material." + material.name + ".burn.detonation_velocity",
+            fmt::format("makes the front run at {:.4g} m/s; products with these constants drive a "
+                        "detonation at {:.4g} m/s",
+                        given, own)));
+    } catch (std::logic_error const&) {  // no such state: there is nothing to compare with
+    }
   }
 }
 

@@ -161,6 +161,7 @@ TEST(Burn, VotesForItsFrontUntilItIsOver) {
     }
   }
   Case never = disc("kind = \"programmed\", ignition_points = [[0.0, 0.0]], delay = 1.0");
+  never.regions[1].initial.density = 1629.0;  // not compressed: it has no sound speed of its own
   Simulation waiting(build_model(never));
   waiting.advance();
   EXPECT_EQ(waiting.vote().reason, burn_limit);
@@ -249,12 +250,13 @@ open = ["x+"]
     return std::pair(least, most);
   };
   EXPECT_GT(part(0.0, 0.01).first, 0.5) << "burns at the anvil";
-  EXPECT_EQ(part(0.04, 0.05).second, 0.0) << "no wave has come so far";
+  EXPECT_LT(part(0.04, 0.05).second, 1e-5) << "no wave has come so far";
   EXPECT_NEAR(simulation.sums().total_energy(), energy, 0.01 * energy);
 }
 
 TEST(Burn, GoesOnWithTheSameBits) {
-  Case const c = disc(lit_in_the_middle);
+  Case c = disc(lit_in_the_middle);
+  c.time.end = 1e-3;
   Simulation straight(build_model(c));
   while (burnt(straight.particles()) < 0.5) straight.advance();
   auto const path =

@@ -101,13 +101,13 @@ TEST(BurnKeys, MistakesAreNamed) {
             "case.toml:6:6: material.m.burn.delay: does not belong to burn.kind = "
             "\"instantaneous\"");
   EXPECT_EQ(message_of("use = \"tnt\"\nburn = { kind = \"programmed\", ignition_points = [] }"),
-            "case.toml:6:50: material.m.burn.ignition_points: [] holds no point");
+            "case.toml:6:49: material.m.burn.ignition_points: [] holds no point");
   EXPECT_EQ(
       message_of("use = \"tnt\"\nburn = { kind = \"programmed\", ignition_points = [[0, 0, 0]] }"),
-      "case.toml:6:51: material.m.burn.ignition_points: [0, 0, 0] has 3 components; 2 expected "
+      "case.toml:6:50: material.m.burn.ignition_points: [0, 0, 0] has 3 components; 2 expected "
       "(space.dimension)");
   EXPECT_EQ(message_of("use = \"tnt\"\nburn = { kind = \"programmed\", ignition_points = [0, 0] }"),
-            "case.toml:6:50: material.m.burn.ignition_points: [0, 0] is a list; a list of points, "
+            "case.toml:6:49: material.m.burn.ignition_points: [0, 0] is a list; a list of points, "
             "[[x, y], ...], is expected");
   EXPECT_EQ(message_of("use = \"tnt\"\nburn.kind = \"programmed\"\n"
                        "burn.ignition_line = { from = [0, 0] }"),
@@ -115,15 +115,37 @@ TEST(BurnKeys, MistakesAreNamed) {
   EXPECT_EQ(message_of("use = \"tnt\"\nburn.kind = \"programmed\"\n"
                        "burn.ignition_plane = { point = [0, 0], normal = [0, 0] }"),
             "case.toml:7:50: material.m.burn.ignition_plane.normal: [0, 0] has no length");
-  EXPECT_EQ(message_of("use = \"tnt\"\nburn = { kind = \"programmed\", ignition_points = [[0, 0]], "
-                       "cj_volume = 1.2, detonation_velocity = 0, width_in_spacings = \"2 m\" }"),
-            "case.toml:6:78: material.m.burn.detonation_velocity: 0 must be greater than 0 m/s\n"
-            "case.toml:6:75: material.m.burn.cj_volume: 1.2 must be between 0.1 and 0.99");
   EXPECT_EQ(
-      message_of("eos = \"jwl\"\nb = \"-8 GPa\"\nr2 = 0.1\nburn = { kind = \"programmed\", "
+      message_of("use = \"tnt\"\nburn = { kind = \"programmed\", ignition_points = [[0, 0]], "
+                 "cj_volume = 1.2, detonation_velocity = 0, width_in_spacings = \"2 m\" }"),
+      "case.toml:6:71: material.m.burn.cj_volume: 1.2 must be between 0.1 and 0.99\n"
+      "case.toml:6:98: material.m.burn.detonation_velocity: 0 must be greater than 0 m/s\n"
+      "case.toml:6:121: material.m.burn.width_in_spacings: \"2 m\" is a length; a plain number "
+      "is expected");
+  EXPECT_EQ(
+      message_of("eos = \"jwl\"\nb = \"-500 GPa\"\nburn = { kind = \"programmed\", "
                  "ignition_points = [[0, 0]] }"),
-      "case.toml:8:17: material.m.burn.kind: \"programmed\" finds no Chapman-Jouguet state for "
+      "case.toml:7:17: material.m.burn.kind: \"programmed\" finds no Chapman-Jouguet state for "
       "the constants of the material; give burn.cj_volume and burn.detonation_velocity");
+}
+
+TEST(BurnKeys, FrontsThatTheirProductsDoNotDriveAreDoubtful) {
+  auto const warnings_of = [](std::string const& velocity) {
+    std::vector<InputProblem> warnings;
+    add_burn_warnings(
+        parse_case(text_with("use = \"tnt\"\nburn = { kind = \"programmed\", ignition_points = "
+                             "[[0, 0]], detonation_velocity = " +
+                             velocity + " }"),
+                   "case.toml"),
+        warnings);
+    return warnings;
+  };
+  EXPECT_TRUE(warnings_of("6930").empty());
+  auto const warnings = warnings_of("8000");
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(format(warnings[0]),
+            "case.toml:6:81: material.m.burn.detonation_velocity: 8000 makes the front run at 8000 "
+            "m/s; products with these constants drive a detonation at 6929 m/s");
 }
 
 TEST(BadMatter, FloorsAndLimitsAreNamed) {
