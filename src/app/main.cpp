@@ -11,6 +11,7 @@
 
 #include "app/case_commands.hpp"
 #include "app/commands.hpp"
+#include "app/exact_command.hpp"
 #include "base/input_error.hpp"
 #include "output/output_error.hpp"
 
@@ -23,6 +24,7 @@ struct Options {
   moraine::PlotOptions plot;
   moraine::BenchOptions bench;
   moraine::VerifyOptions verify;
+  moraine::ExactOptions exact;
   moraine::CaseCommandOptions cases;
 };
 
@@ -105,6 +107,7 @@ int dispatch(CLI::App const& app, Options const& options) {
   if (app.got_subcommand("preview")) return moraine::preview_case(options.preview);
   if (app.got_subcommand("bench")) return moraine::run_bench(options.bench);
   if (app.got_subcommand("verify")) return moraine::run_verify(options.verify);
+  if (app.got_subcommand("exact")) return moraine::run_exact(options.exact);
   return moraine::plot_folder(options.plot);
 }
 
@@ -123,6 +126,7 @@ int main(int argc, char** argv) {
   add_plot(app, options);
   add_bench(app, options);
   add_verify(app, options);
+  moraine::add_exact(app, options.exact);
   moraine::add_case_commands(app, options.cases);
   try {
     check_command(app, argc, argv);

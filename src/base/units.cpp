@@ -113,8 +113,8 @@ Unit parse_unit(std::string_view text) {
 }
 
 // ut_are_convertible alone will not do: it accepts reciprocals and takes radians for numbers.
-bool has_dimension(ut_unit const* unit, Quantity quantity) {
-  Unit const si = parse_unit(info(quantity).unit);
+bool has_dimension(ut_unit const* unit, std::string_view si_unit) {
+  Unit const si = parse_unit(si_unit);
   Unit const ratio(si ? ut_divide(unit, si.get()) : nullptr);
   if (!ratio || !ut_is_dimensionless(ratio.get())) return false;
   std::array<char, 128> text{};
@@ -125,18 +125,17 @@ bool has_dimension(ut_unit const* unit, Quantity quantity) {
 
 std::string what_it_is(ut_unit const* unit) {
   for (auto const& entry : quantities)
-    if (has_dimension(unit, entry.quantity)) return fmt::format("is {}", entry.name);
+    if (has_dimension(unit, entry.unit)) return fmt::format("is {}", entry.name);
   return "has another dimension";
 }
 
-std::string expectation(Quantity expected) {
-  auto const& wanted = info(expected);
-  if (expected == Quantity::number) return "a plain number is expected";
+std::string expectation(Dimension const& wanted) {
+  if (wanted.unit == info(Quantity::number).unit) return "a plain number is expected";
   return fmt::format("{} is expected ({})", wanted.name, wanted.unit);
 }
 
-std::optional<double> converted(double value, ut_unit const* unit, Quantity expected) {
-  Unit const si = parse_unit(info(expected).unit);
+std::optional<double> converted(double value, ut_unit const* unit, Dimension const& expected) {
+  Unit const si = parse_unit(expected.unit);
   Converter const converter(ut_get_converter(const_cast<ut_unit*>(unit), si.get()));
   if (!converter || cv_convert_double(converter.get(), 0.0) != 0.0) return std::nullopt;
   double const factor = cv_convert_double(converter.get(), 1.0);
@@ -146,20 +145,19 @@ std::optional<double> converted(double value, ut_unit const* unit, Quantity expe
   return whole ? value / inverse : value * factor;
 }
 
-std::string unit_hint(std::string_view unit, Quantity expected) {
-  std::span<std::string_view const> usual = info(expected).usual;
+std::string unit_hint(std::string_view unit, Dimension const& expected) {
+  std::span<std::string_view const> usual = expected.usual;
   while (!usual.empty() && usual.back().empty()) usual = usual.first(usual.size() - 1);
   if (auto const name = nearest_name(unit, usual); !name.empty())
     return fmt::format("did you mean \"{}\"?", name);
   return {};
 }
 
-std::string dimension_hint(double value, std::string_view unit, Quantity expected) {
-  if (expected == Quantity::acceleration && unit == "g")
+std::string dimension_hint(double value, std::string_view unit, Dimension const& expected) {
+  if (expected.unit == info(Quantity::acceleration).unit && unit == "g")
     return fmt::format("g is gram; did you mean \"{} g0\" (standard gravity)?", value);
   if (unit.empty())
-    return fmt::format("write {0} without quotes for SI, or \"{0} {1}\"", value,
-                       info(expected).unit);
+    return fmt::format("write {0} without quotes for SI, or \"{0} {1}\"", value, expected.unit);
   return {};
 }
 
@@ -170,6 +168,11 @@ QuantityInfo const& info(Quantity quantity) {
 }
 
 Conversion to_si(std::string_view text, Quantity expected) {
+  QuantityInfo const& wanted = info(expected);
+  return to_si(text, Dimension{wanted.name, wanted.unit, wanted.usual});
+}
+
+Conversion to_si(std::string_view text, Dimension const& expected) {
   static std::mutex mutex;
   std::lock_guard const lock(mutex);
   if (unit_system() == nullptr)
@@ -191,7 +194,7 @@ Conversion to_si(std::string_view text, Quantity expected) {
     return {{},
             fmt::format("has an unknown unit \"{}\"; {}", unit_text, expectation(expected)),
             unit_hint(unit_text, expected)};
-  if (!has_dimension(unit.get(), expected))
+  if (!has_dimension(unit.get(), expected.unit))
     return {{},
             fmt::format("{}; {}", what_it_is(unit.get()), expectation(expected)),
             dimension_hint(value, unit_text, expected)};

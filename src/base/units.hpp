@@ -36,6 +36,13 @@ struct QuantityInfo {
 /// The entry of the table of quantities. Never fails.
 QuantityInfo const& info(Quantity quantity);
 
+/// A dimension that case files do not hold: an impulse per area, an energy per area.
+struct Dimension {
+  std::string_view name;                  // with its article, for messages
+  std::string_view unit;                  // SI, in the notation of UDUNITS-2
+  std::array<std::string_view, 6> usual;  // units to suggest, empty entries at the end
+};
+
 /// A value in SI units, or why there is none. `rule` continues a sentence that starts with the
 /// value ("is a mass; a density is expected (kg/m^3)"); `hint` may be empty.
 struct Conversion {
@@ -53,5 +60,8 @@ struct Conversion {
 /// for units that are a whole fraction of the SI unit ("9 mm" is the double nearest to 0.009).
 /// Never throws for bad text and prints nothing. Calls are serialised (UDUNITS-2 is not reentrant).
 Conversion to_si(std::string_view text, Quantity expected);
+
+/// The same for any other dimension.
+Conversion to_si(std::string_view text, Dimension const& expected);
 
 }  // namespace moraine

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "exact/detonation.hpp"
 #include "setup/parameter_table.hpp"
 #include "setup/read_case.hpp"
 #include "setup/used_case.hpp"
@@ -14,31 +15,6 @@
 namespace moraine {
 namespace {
 
-struct Detonation {
-  double velocity;  // m/s
-  double pressure;  // Pa
-};
-
-/// The Chapman-Jouguet state: on the Crussard curve of the products, e = e_0 + p (v_0 - v) / 2, the
-/// point of the slowest Rayleigh line, D^2 = v_0^2 p / (v_0 - v); Fickett & Davis, Detonation
-/// (1979), chapter 2. v = 1 / rho; dp/de at constant v is omega rho.
-Detonation chapman_jouguet(Jwl const& law) {
-  double const v0 = 1.0 / law.reference_density;
-  auto const pressure = [&](double v) {
-    double const at_rest = law.pressure(1.0 / v, law.reference_energy);
-    return at_rest / (1.0 - law.omega * (v0 - v) / (2.0 * v));
-  };
-  auto const square = [&](double v) { return v0 * v0 * pressure(v) / (v0 - v); };
-  double low = 0.55 * v0;
-  double high = 0.9 * v0;
-  for (int k = 0; k < 100; ++k) {  // ternary search for the least
-    double const a = low + (high - low) / 3.0;
-    double const b = high - (high - low) / 3.0;
-    (square(a) < square(b) ? high : low) = square(a) < square(b) ? b : a;
-  }
-  return {std::sqrt(square(low)), pressure(low)};
-}
-
 double answer(ShippedMaterial const& material, std::string const& key) {
   Eos const& eos = material.spec.eos;
   double const rho = reference_density(eos);
@@ -46,8 +22,8 @@ double answer(ShippedMaterial const& material, std::string const& key) {
   if (key == "pressure") return std::visit([&](auto const& l) { return l.pressure(rho, e); }, eos);
   if (key == "sound_speed")
     return std::visit([&](auto const& l) { return l.sound_speed(rho, e); }, eos);
-  Detonation const found = chapman_jouguet(std::get<Jwl>(eos));
-  return key == "detonation_velocity" ? found.velocity : found.pressure;
+  Detonation const found = chapman_jouguet({eos, rho, e});
+  return key == "detonation_velocity" ? found.speed : found.behind.pressure;
 }
 
 TEST(Materials, GiveTheirReferenceState) {

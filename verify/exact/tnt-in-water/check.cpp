@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include "base/bisect.hpp"
 #include "exact/hugoniot.hpp"
+#include "exact/riemann.hpp"
 #include "probes/point_probe.hpp"
 #include "setup/build_model.hpp"
 #include "step/simulation.hpp"
@@ -24,24 +24,12 @@ namespace {
 constexpr double half_charge = 0.05;  // m
 
 /// Speed of the shock [m/s] that the charge's plane face sends into the water at the first instant.
-///
-/// Products expand along their isentrope, du = dp / (rho c), de = p drho / rho^2, until they have
-/// the pressure of the water behind a shock of the same particle velocity. Later and sideways the
-/// charge can only push less: no shock of this case is faster.
+/// Later and sideways the charge can only push less: no shock of this case is faster.
 double first_shock_speed(Jwl const& products, WaterPolynomial const& water) {
-  double rho = products.reference_density;
-  double e = products.reference_energy;
-  double u = 0.0;
-  double const change = 1e-5 * rho;
-  for (;;) {
-    double const p = products.pressure(rho, e);
-    ShockState const shock =
-        shock_from_piston(water, water.reference_density, water.reference_energy, u);
-    if (shock.pressure >= p) return shock.shock_speed;
-    u += products.sound_speed(rho, e) / rho * change;
-    e -= p / (rho * rho) * change;
-    rho -= change;
-  }
+  return RiemannProblem({products, products.reference_density, 0.0, products.reference_energy},
+                        {water, water.reference_density, 0.0, water.reference_energy})
+      .right_wave()
+      ->head;
 }
 
 /// The readings of one gauge until its first peak is over.
@@ -144,10 +132,8 @@ CheckResult arrival(Gauge const& gauge, double fastest, double slowest) {
 
 /// Speed of a shock in the water that has pressure `p` [Pa] behind it.
 double shock_speed(WaterPolynomial const& water, double p) {
-  auto const state = [&](double u) {
-    return shock_from_piston(water, water.reference_density, water.reference_energy, u);
-  };
-  return state(bisect([&](double u) { return state(u).pressure - p; }, 0.0, 2000.0)).shock_speed;
+  return shock_to_pressure(water, water.reference_density, water.reference_energy, p)
+      .behind.shock_speed;
 }
 
 /// A shock that dies away between two gauges: its mean speed lies between those of the two peaks.
