@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 
+#include "exact/detonation.hpp"
 #include "output/atomic_file.hpp"
 #include "output/checkpoint/hdf5_archive.hpp"
 #include "setup/build_model.hpp"
@@ -300,6 +301,43 @@ TEST(Burn, GoesOnInACaseThatStartsFromIt) {
     ASSERT_LT(second.time(), 6e-6);
     second.advance();
   }
+}
+
+// Products that are an ideal gas: plane detonation from a plane of symmetry, against its Taylor
+// wave. Eight tenths of the zone at rest, with 3 % for the smeared waves around it.
+TEST(Burn, RunsInAnIdealGas) {
+  Case const c = parse_case(R"(
+space = { dimension = 1, domain = { min = [0.0], max = [0.3] }, symmetry = ["x-"] }
+resolution = { spacing = 0.0002, smoothing_factor = 3.0 }
+numerics = { precision = "double", viscosity_beta = 2.0 }
+time.end = 13e-6
+[material.gas]
+eos = "ideal_gas"
+reference_density = 1630
+heat_capacity_ratio = 2.7
+reference_energy = 4.0e6
+burn = { kind = "programmed", ignition_points = [[0.0]] }
+[[region]]
+name = "slab"
+material = "gas"
+box = { min = [0.0], max = [0.1] }
+)",
+                            "case.toml");
+  TaylorWave const exact(Explosive{c.materials[0].eos, 1630.0, 4.0e6});
+  Simulation simulation(build_model(c));
+  while (simulation.running()) simulation.advance();
+  auto const& store = simulation.particles();
+  double sum = 0.0, count = 0.0, front = 0.0;
+  for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i) {
+    double const x = store.component(Field::position, 0)[i];
+    double const p = store.scalar(Field::pressure)[i];
+    if (p > 0.5 * exact.detonation().behind.pressure) front = std::max(front, x);
+    if (x > 0.8 * exact.rest_speed() * simulation.time()) continue;
+    sum += p;
+    count += 1.0;
+  }
+  EXPECT_NEAR(sum / count, exact.rest().pressure, 0.03 * exact.rest().pressure);
+  EXPECT_NEAR(front, exact.detonation().speed * simulation.time(), 0.001);
 }
 
 // The charge stands alone in space: nothing but its front gives guards a speed to compare with.
