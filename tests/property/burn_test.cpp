@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "exact/detonation.hpp"
@@ -17,6 +18,7 @@
 #include "setup/read_case.hpp"
 #include "setup/start_particles.hpp"
 #include "step/simulation_error.hpp"
+#include "support/memory_archive.hpp"
 #include "support/small_models.hpp"
 
 namespace moraine {
@@ -276,6 +278,14 @@ TEST(Burn, GoesOnWithTheSameBits) {
   }
   EXPECT_TRUE(state_by_id(resumed->particles()) == state_by_id(straight.particles()));
   EXPECT_GT(burnt(straight.particles()), 0.6);
+}
+
+TEST(Burn, DoesNotGoOnFromAStateThatDoesNotBurn) {
+  Simulation plain(build_model(disc("kind = \"instantaneous\"")));
+  MemoryArchive archive;
+  plain.save(archive);
+  archive.restore();
+  EXPECT_THROW(Simulation(build_model(disc(lit_in_the_middle)), archive), std::runtime_error);
 }
 
 // A case that starts from a run in which the charge was burning: its front goes on.
