@@ -6,7 +6,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-folders=(smoothing matter/eos terms)
+folders=(smoothing matter/burn matter/eos terms)
 
 # Checks one header in a process of its own, see below. Device compilers skip the pragmas of OpenMP.
 check_header() {

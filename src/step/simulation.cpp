@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "step/simulation_setup.hpp"
 
@@ -60,6 +61,7 @@ Simulation::Simulation(Model model, Unstarted)
 }
 
 Simulation::Simulation(Model model) : Simulation(std::move(model), Unstarted{}) {
+  light_explosives();
   stages_.begin_first();
   begin_stage();
   evaluate_rates();
@@ -103,6 +105,11 @@ void Simulation::exchange(Archive& archive) {
     archive.number(fmt::format("wall_impulse_{}", "xyz"[axis]), wall_impulse_[axis]);
   archive.number("wall_power", swept_.wall_power);
   model_.particles.exchange(archive);
+  for (Material const& material : model_.materials)
+    for (Field const field : {Field::burn_fraction, Field::lighting_time})
+      if (material.burn && !model_.particles.has(field))
+        throw std::runtime_error(
+            fmt::format("{} burns, but the particles have no {}", material.name, info(field).name));
   search_.exchange(archive, model_.particles);
 }
 

@@ -95,7 +95,8 @@ TEST_P(Resume, GivesTheSameBits) {
 INSTANTIATE_TEST_SUITE_P(Cases, Resume,
                          testing::Values("tnt-in-water", "dam-break-2d", "dam-break-3d",
                                          "hydrostatic-tank", "sod", "sloshing-tank",
-                                         "sloshing-tank+shaken", "tnt-in-water+quarter"),
+                                         "sloshing-tank+shaken", "tnt-in-water+quarter",
+                                         "tnt-slab"),
                          [](auto const& test) {
                            std::string name = test.param;
                            for (char& letter : name)

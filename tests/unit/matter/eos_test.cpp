@@ -34,6 +34,15 @@ std::vector<LawStates> all_laws() {
       {WaterPolynomial{.cavitation_pressure = -1e9}, grid({850, 999}, {0.0, 357.1, 1e5})},
       {Jwl{}, grid({1, 50, 400, 1000, 1630, 2300}, {1e5, 1e6, 4.29e6, 8e6})},
       {IdealGas{}, grid({0.01, 1.225, 8}, {1e3, 2e5, 1e7})},
+      {MieGrueneisen{}, grid({1001, 1050, 1300, 1700}, {-20.0, 0.0, 1e5, 2e6})},
+      {MieGrueneisen{.least_pressure = -2e9}, grid({500, 850, 999}, {0.0, 300.0, 1e5})},
+      {MieGrueneisen{1450.0, 1440.0, 1.6, 0.11, 0.2876, -0.267e6},  // loose sand
+       grid({1451, 1600, 2200}, {0.0, 0.2876, 1e6})},
+      {UsUp{}, grid({1001, 1050, 1300, 2200}, {-20.0, 0.0, 1e5, 2e6})},
+      {UsUp{.least_pressure = -2e9}, grid({500, 850, 999}, {0.0, 300.0, 1e5})},
+      {UsUp{.hugoniot_slope = 0.0, .grueneisen_coefficient = 1.2, .least_pressure = -1e10},
+       grid({700, 850, 1001, 1500}, {0.0, 300.0, 1e5})},
+      {Linear{}, grid({700, 1000, 1300}, {0.0, 300.0})},
   };
 }
 
@@ -88,7 +97,7 @@ TEST(Eos, InversesReturnToTheState) {
             double const p = law.pressure(rho, e);
             EXPECT_NEAR(law.density_at_pressure(p, e), rho, 1e-12 * rho)
                 << law.name << " at rho " << rho << ", e " << e;
-            if constexpr (!std::is_same_v<std::decay_t<decltype(law)>, Tait>) {
+            if (law.pressure(rho, e + 1e6) != p) {  // energy has an effect
               EXPECT_NEAR(law.pressure(rho, law.energy_at_pressure(rho, p)), p,
                           1e-13 * (std::fabs(p) + 1e9))
                   << law.name << " at rho " << rho << ", e " << e;
@@ -104,6 +113,9 @@ TEST(Eos, ListGivesReferenceStateAndName) {
   EXPECT_EQ(eos_name(WaterPolynomial{}), "water_polynomial");
   EXPECT_EQ(eos_name(Jwl{}), "jwl");
   EXPECT_EQ(eos_name(IdealGas{}), "ideal_gas");
+  EXPECT_EQ(eos_name(MieGrueneisen{}), "mie_grueneisen");
+  EXPECT_EQ(eos_name(UsUp{}), "us_up");
+  EXPECT_EQ(eos_name(Linear{}), "linear");
   EXPECT_EQ(reference_density(Jwl{}), 1630.0);
   EXPECT_EQ(reference_energy(Jwl{}), 4.29e6);
 }

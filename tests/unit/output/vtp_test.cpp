@@ -83,6 +83,20 @@ TEST_F(VtpTest, EveryBlockLiesWhereTheHeaderSays) {
   EXPECT_FALSE(std::filesystem::exists(path("a.vtp.tmp")));
 }
 
+TEST_F(VtpTest, BurnFractionIsThereWhereSomethingBurns) {
+  ParticleStore store = small_store();
+  write_vtp(path("plain.vtp"), store, Kind::fluid, 0.0);
+  EXPECT_EQ(read_vtp(path("plain.vtp")).find("burn_fraction"), nullptr);
+  store.use(Field::burn_fraction);
+  store.scalar(Field::burn_fraction)[1] = 0.25;
+  write_vtp(path("burning.vtp"), store, Kind::fluid, 0.0);
+  ParticleFrame const frame = read_vtp(path("burning.vtp"));
+  ASSERT_NE(frame.find("burn_fraction"), nullptr);
+  EXPECT_EQ(frame.find("burn_fraction")->values, (std::vector<double>{0, 0.25, 0}));
+  write_vtp(path("walls.vtp"), store, Kind::wall, 0.0);
+  EXPECT_EQ(read_vtp(path("walls.vtp")).find("burn_fraction"), nullptr);
+}
+
 TEST_F(VtpTest, HeaderNamesTheDialect) {
   write_vtp(path("a.vtp"), small_store(), Kind::wall, 0.125);
   std::string const bytes = bytes_of(path("a.vtp"));

@@ -119,7 +119,9 @@ INSTANTIATE_TEST_SUITE_P(
             "did you mean \"wendland_c2\"?"},
         Bad{"eos = \"tait\"", "eos = \"steam\"",
             "case.toml:12:7: material.water.eos: \"steam\" is not a known name; choose one of "
-            "\"tait\", \"water_polynomial\", \"jwl\", \"ideal_gas\""},
+            "\"tait\", \"water_polynomial\", \"jwl\", \"ideal_gas\", \"mie_grueneisen\", "
+            "\"us_up\", "
+            "\"linear\""},
         Bad{"eos = \"tait\"", "eos = \"tait\"\nexponent = 0.5",
             "case.toml:13:12: material.water.exponent: 0.5 must be at least 1"},
         Bad{"-9.81", "\"0.35 g\"",

@@ -60,6 +60,7 @@ TEST(Materials, AgreeWithTheDefaultsOfTheLaws) {
   EXPECT_EQ(constants(shipped_material("water_shock").spec.eos), constants(WaterPolynomial{}));
   EXPECT_EQ(constants(shipped_material("water").spec.eos), constants(Tait{}));
   EXPECT_EQ(constants(shipped_material("air").spec.eos), constants(IdealGas{}));
+  EXPECT_EQ(constants(shipped_material("water_us_up").spec.eos), constants(UsUp{}));
 }
 
 std::string case_with(std::string const& material) {
