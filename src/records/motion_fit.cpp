@@ -10,9 +10,11 @@
 namespace moraine {
 namespace {
 
-constexpr std::array<double, 4> layer_dampings{0.3, 0.15, 0.5, 0.8};
+constexpr std::array<double, 3> layer_frequencies{1.0, 0.7, 1.4};  // times the period
+constexpr std::array<double, 3> layer_dampings{0.3, 0.15, 0.6};
 constexpr double lowest_corner = 0.02;  // Hz
-constexpr int layers_tried = 12;
+constexpr int stretches_tried = 6;
+constexpr double least_stretch = 0.4;
 constexpr double looked_at_closely = 0.08;  // relative error of a rough period
 
 void check(MotionTarget const& target) {
@@ -33,22 +35,32 @@ double velocity_ratio_of(GroundRecord const& record) {
          peak_of(record, record.acceleration).value;
 }
 
+/// A layer in units of the predominant period, stretched in time.
+struct Layer {
+  double frequency;      // times the wanted period
+  double damping;        // -
+  double stretch = 1.0;  // of noise and layer
+};
+
 /// Motions of one sequence of noise.
 class Realisation {
  public:
-  Realisation(MotionTarget const& target, std::uint64_t seed)
+  Realisation(MotionTarget const& target, std::uint64_t seed, int number)
       : target_(target),
+        number_(number),
         noise_(white_noise(
-            static_cast<std::size_t>(std::lround(target.duration / target.time_step)) + 1, seed)) {}
+            static_cast<std::size_t>(std::ceil(target.duration / target.time_step / least_stretch)) +
+                2,
+            seed)) {}
 
   /// The motion of a layer whose corner frequency brings PGV/PGA as near as it gets.
-  FittedMotion fit_corner(double ground_frequency, double ground_damping) const {
-    NoiseFilter filter{ground_frequency, ground_damping, lowest_corner, 0.6};
+  FittedMotion fit_corner(Layer const& layer) const {
+    NoiseMotion motion = motion_of(layer);
     auto const excess = [&](double corner) {
-      filter.corner_frequency = corner;
-      return velocity_ratio_of(motion(filter)) - target_.velocity_ratio;
+      motion.filter.corner_frequency = corner;
+      return velocity_ratio_of(filtered_noise(noise_, motion)) - target_.velocity_ratio;
     };
-    double low = lowest_corner, high = ground_frequency;
+    double low = lowest_corner, high = motion.filter.ground_frequency;
     if (excess(low) > 0.0 && excess(high) < 0.0)
       while (high - low > 1e-4 * high) {
         double const middle = std::sqrt(low * high);
@@ -56,29 +68,36 @@ class Realisation {
       }
     else
       high = excess(high) >= 0.0 ? high : low;
-    filter.corner_frequency = high;
-    return finished(filter);
+    motion.filter.corner_frequency = high;
+    return finished(motion);
   }
 
  private:
-  GroundRecord motion(NoiseFilter const& filter) const {
-    return filtered_noise(noise_, target_.time_step, filter, target_.envelope,
-                          target_.peak_acceleration);
+  NoiseMotion motion_of(Layer const& layer) const {
+    NoiseMotion motion{target_.duration, target_.time_step, target_.time_step * layer.stretch,
+                       target_.peak_acceleration, {}, target_.envelope};
+    motion.filter.ground_frequency =
+        layer.frequency / (target_.predominant_period * layer.stretch);
+    motion.filter.ground_damping = layer.damping;
+    return motion;
   }
 
-  FittedMotion finished(NoiseFilter const& filter) const {
+  FittedMotion finished(NoiseMotion const& motion) const {
     FittedMotion fit;
-    fit.record = motion(filter);
-    fit.filter = filter;
+    fit.record = filtered_noise(noise_, motion);
+    fit.filter = motion.filter;
+    fit.realisation = number_;
     fit.peak_acceleration = peak_of(fit.record, fit.record.acceleration).value;
     fit.velocity_ratio = velocity_ratio_of(fit.record);
-    fit.predominant_period = rough_predominant_period(fit.record, target_.predominant_period);
-    if (std::fabs(fit.predominant_period / target_.predominant_period - 1.0) < looked_at_closely)
+    double const wanted = target_.predominant_period;
+    fit.predominant_period = rough_predominant_period(fit.record, wanted);
+    if (std::fabs(fit.predominant_period / wanted - 1.0) < looked_at_closely)
       fit.predominant_period = predominant_period(fit.record);
     return fit;
   }
 
   MotionTarget const& target_;
+  int number_;
   std::vector<double> noise_;
 };
 
@@ -103,32 +122,16 @@ class Best {
   bool given_ = false;
 };
 
-/// Layers around the predominant period; where two next to each other have it between them, halving.
-void search_layers(Realisation const& noise, double damping, MotionTarget const& target,
-                   int realisation, Best& best) {
-  double const wanted = 1.0 / target.predominant_period;
-  auto const period_of = [&](double frequency) {
-    FittedMotion fit = noise.fit_corner(frequency, damping);
-    fit.realisation = realisation;
-    double const period = fit.predominant_period;
+/// Stretches the layer until the predominant period is met, or its way is lost.
+void stretch_to_period(Realisation const& noise, Layer layer, MotionTarget const& target,
+                       Best& best) {
+  for (int k = 0; k < stretches_tried && !best.close(); ++k) {
+    FittedMotion fit = noise.fit_corner(layer);
+    layer.stretch *= target.predominant_period / fit.predominant_period;
+    bool const lost = std::fabs(fit.velocity_ratio / target.velocity_ratio - 1.0) > close_enough ||
+                      layer.stretch < least_stretch || layer.stretch > 1.0 / least_stretch;
     best.consider(std::move(fit));
-    return period;
-  };
-  double before = 0.0, before_period = 0.0;
-  for (int k = 0; k < layers_tried && !best.close(); ++k) {
-    double const frequency = wanted * 0.5 * std::pow(4.0, k / (layers_tried - 1.0));
-    double const period = period_of(frequency);
-    double low = before, high = frequency;
-    bool const between = k > 0 && (before_period - target.predominant_period) *
-                                          (period - target.predominant_period) <
-                                      0.0;
-    bool const falls = before_period > period;
-    for (int halving = 0; between && halving < 8 && !best.close(); ++halving) {
-      double const middle = std::sqrt(low * high);
-      ((period_of(middle) > target.predominant_period) == falls ? low : high) = middle;
-    }
-    before = frequency;
-    before_period = period;
+    if (lost) return;
   }
 }
 
@@ -144,9 +147,11 @@ FittedMotion fit_motion(MotionTarget const& target, std::uint64_t seed) {
   Best best(target);
   for (int k = 0; k < realisations && !best.close(); ++k) {
     // Seeds of the sequences lie far apart, so that those of neighbouring seeds do not meet.
-    Realisation const noise(target, seed + 0x9E3779B97F4A7C15U * static_cast<std::uint64_t>(k));
+    Realisation const noise(target, seed + 0x9E3779B97F4A7C15U * static_cast<std::uint64_t>(k),
+                            k + 1);
     for (double const damping : layer_dampings)
-      if (!best.close()) search_layers(noise, damping, target, k + 1, best);
+      for (double const frequency : layer_frequencies)
+        if (!best.close()) stretch_to_period(noise, {frequency, damping}, target, best);
   }
   FittedMotion fit = best.take();
   fit.predominant_period = predominant_period(fit.record);

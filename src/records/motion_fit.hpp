@@ -29,10 +29,11 @@ struct FittedMotion {
 };
 
 /// The motion nearest to the target. For a sequence of noise, and a layer, the corner frequency is
-/// found by halving so that PGV/PGA is met (a lower corner leaves more velocity); the frequency and
-/// the damping of the layer are searched for the predominant period. Where no layer meets both
-/// within `close_enough`, the next of up to `realisations` sequences of the same seed is tried, and
-/// the best of all is returned: look at `error`. The same seed gives the same bits.
+/// found by halving so that PGV/PGA is met (a lower corner leaves more velocity); then noise and
+/// layer are stretched in time until the predominant period is met too. Where both are not met
+/// within `close_enough`, layers of other frequencies and dampings and then the next of up to
+/// `realisations` sequences of the same seed are tried, and the best of all is returned: look at
+/// `error`. The same seed gives the same bits.
 ///
 /// Range: PGV/PGA of a harmonic motion is T/(2 pi); broad motions reach one to three times that of
 /// their predominant period. Throws std::invalid_argument unless all targets are positive, the step

@@ -1,9 +1,11 @@
 #include "records/synthetic_motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 #include "records/baseline.hpp"
 #include "records/oscillator.hpp"
@@ -26,6 +28,19 @@ void pass_through(std::vector<double>& values, double frequency, double damping,
     values[i] = output == Output::absolute ? oscillator.absolute_acceleration(state)
                                            : oscillator.relative_acceleration(state, ground);
   }
+}
+
+/// `count` values at places 0, r, 2 r, ... between the numbers of the noise.
+std::vector<double> on_steps(std::vector<double> const& noise, double r, std::size_t count) {
+  if (!(r > 0.0) || !(r * static_cast<double>(count - 1) <= static_cast<double>(noise.size()) - 1.0))
+    throw std::invalid_argument("noise: there are too few numbers for the duration");
+  std::vector<double> values(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    double const place = r * static_cast<double>(i);
+    auto const k = std::min(noise.size() - 2, static_cast<std::size_t>(place));
+    values[i] = noise[k] + (place - static_cast<double>(k)) * (noise[k + 1] - noise[k]);
+  }
+  return values;
 }
 
 }  // namespace
@@ -55,19 +70,25 @@ std::vector<double> white_noise(std::size_t count, std::uint64_t seed) {
   return noise;
 }
 
-GroundRecord filtered_noise(std::vector<double> const& noise, double time_step,
-                            NoiseFilter const& filter, Envelope const& envelope, double peak) {
+GroundRecord filtered_noise(std::vector<double> const& noise, NoiseMotion const& motion) {
+  Envelope const& envelope = motion.envelope;
   if (!(0.0 < envelope.rise && envelope.rise <= envelope.stay && envelope.stay < 1.0))
     throw std::invalid_argument("envelope: it must rise, stay and fall between 0 and 1");
-  GroundRecord record{"synthetic", time_step, 0.0, noise};
+  double const steps = std::round(motion.duration / motion.time_step);
+  if (!(steps >= 2.0 && steps < 1e8))
+    throw std::invalid_argument("noise: the duration must be two steps or more");
+  auto const count = static_cast<std::size_t>(steps) + 1;
+  GroundRecord record{"synthetic", motion.time_step, 0.0,
+                      on_steps(noise, motion.time_step / motion.noise_step, count)};
   check_record(record);
+  NoiseFilter const& filter = motion.filter;
   std::vector<double>& a = record.acceleration;
-  pass_through(a, filter.ground_frequency, filter.ground_damping, time_step, Output::absolute);
-  auto const last = static_cast<double>(a.size() - 1);
-  for (std::size_t i = 0; i < a.size(); ++i)
-    a[i] *= envelope.at(static_cast<double>(i) / last);
-  pass_through(a, filter.corner_frequency, filter.corner_damping, time_step, Output::relative);
-  return scaled_to_peak(baseline_corrected(std::move(record), Baseline::rest), peak);
+  pass_through(a, filter.ground_frequency, filter.ground_damping, motion.time_step,
+               Output::absolute);
+  for (std::size_t i = 0; i < count; ++i) a[i] *= envelope.at(static_cast<double>(i) / steps);
+  pass_through(a, filter.corner_frequency, filter.corner_damping, motion.time_step,
+               Output::relative);
+  return scaled_to_peak(baseline_corrected(std::move(record), Baseline::rest), motion.peak);
 }
 
 }  // namespace moraine

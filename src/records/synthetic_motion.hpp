@@ -33,7 +33,17 @@ struct Envelope {
 /// (1958) 610, on the 64-bit Mersenne twister).
 std::vector<double> white_noise(std::size_t count, std::uint64_t seed);
 
-/// A motion of `duration` [s] and largest acceleration `peak` [m/s^2]: noise through the layer,
+/// What a motion is made with.
+struct NoiseMotion {
+  double duration = 20.0;     // s
+  double time_step = 0.005;   // s
+  double noise_step = 0.005;  // s, between the numbers of the noise, joined by straight lines
+  double peak = 1.0;          // m/s^2, largest acceleration
+  NoiseFilter filter;
+  Envelope envelope;
+};
+
+/// A motion: noise through the layer,
 ///   H_1 = (1 + 2 i z r) / (1 - r^2 + 2 i z r),  r = f / f_g,
 /// times the envelope, through the second filter
 ///   H_2 = r^2 / (1 - r^2 + 2 i z r),  r = f / f_f,
@@ -41,9 +51,8 @@ std::vector<double> white_noise(std::size_t count, std::uint64_t seed);
 /// for what is left of them. Both filters are oscillators solved exactly (Oscillator): H_1 gives the
 /// acceleration of its mass in space, H_2 that against its ground. Clough & Penzien, Dynamics of
 /// Structures (1993), eqs. (28-17) and (28-20).
-/// The noise holds one number per time step. Throws std::invalid_argument for a duration of fewer
-/// than two steps and for parameters that are no filter.
-GroundRecord filtered_noise(std::vector<double> const& noise, double time_step,
-                            NoiseFilter const& filter, Envelope const& envelope, double peak);
+/// Throws std::invalid_argument for a duration of fewer than two steps, for noise that is shorter,
+/// and for parameters that are no filter or no envelope.
+GroundRecord filtered_noise(std::vector<double> const& noise, NoiseMotion const& motion);
 
 }  // namespace moraine
