@@ -51,8 +51,8 @@ GroundRecord baseline_corrected(GroundRecord record, Baseline baseline) {
   if (baseline == Baseline::rest)
     bring_to_rest(record);
   else if (baseline != Baseline::none)
-    remove_polynomial(record.acceleration,
-                      static_cast<std::size_t>(baseline) - static_cast<std::size_t>(Baseline::mean));
+    remove_polynomial(record.acceleration, static_cast<std::size_t>(baseline) -
+                                               static_cast<std::size_t>(Baseline::mean));
   return record;
 }
 

@@ -117,8 +117,8 @@ class ColumnReader {
     if (two && (!step_told_ || headings_ == 2 || times_increase()))
       read_two_columns();
     else if (headings_ > 2 && 2 * lines_of_[headings_] > lines_.size())
-      mistakes_.add(heading_line_, fmt::format("a table of {} columns", headings_),
-                    "is no record", "leave the time and one acceleration in it");
+      mistakes_.add(heading_line_, fmt::format("a table of {} columns", headings_), "is no record",
+                    "leave the time and one acceleration in it");
     else
       for (TextLine const& line : lines_) add_numbers(line, record_.values, mistakes_);
     return std::move(record_);
@@ -152,15 +152,15 @@ class ColumnReader {
       std::vector<double> row;
       add_numbers(line, row, mistakes_);
       if (number_of(words[0]))
-        instants.push_back({words[0], row[0] * time_unit_, last_decimal(words[0]) * time_unit_,
-                            line.number});
+        instants.push_back(
+            {words[0], row[0] * time_unit_, last_decimal(words[0]) * time_unit_, line.number});
       record_.values.push_back(row[1]);
     }
     if (instants.size() < 2 || instants.size() != lines_.size()) return;
     check_steps(instants, median_step(instants), mistakes_);
     record_.start = instants.front().time;
-    record_.time_step = (instants.back().time - instants.front().time) /
-                        static_cast<double>(instants.size() - 1);
+    record_.time_step =
+        (instants.back().time - instants.front().time) / static_cast<double>(instants.size() - 1);
   }
 
   bool step_told_;

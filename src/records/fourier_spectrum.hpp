@@ -23,7 +23,7 @@ FrequencySpectrum fourier_spectrum(GroundRecord const& record);
 
 /// One-sided power spectral density, 2 F^2 / (N dt) [m^2/s^4/Hz] (once at 0 and at the last
 /// frequency), whose integral df sum S_k is the mean square of the N values: the periodogram,
-/// unsmoothed. Source: Bendat & Piersol, Random Data (2010), section 11.5.
+/// unsmoothed. Source: Bendat & Piersol, Random Data (2010), chapter 11.
 FrequencySpectrum power_spectrum(GroundRecord const& record);
 
 /// The frequency with the largest power [Hz].

@@ -41,8 +41,7 @@ GroundRecord time_scaled(GroundRecord record, double factor) {
 
 GroundRecord cut_after(GroundRecord record, double end) {
   double const steps = std::floor((end - record.start) / record.time_step * (1.0 + 1e-12) + 1e-9);
-  if (!(steps >= 1.0))
-    throw std::invalid_argument("cut record: fewer than two values are left");
+  if (!(steps >= 1.0)) throw std::invalid_argument("cut record: fewer than two values are left");
   auto const left = std::min(static_cast<double>(record.size()), steps + 1.0);
   record.acceleration.resize(static_cast<std::size_t>(left));
   return record;

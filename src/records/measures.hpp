@@ -15,25 +15,25 @@ struct TimeSpan {
 /// Measures of one record. Integrals of time run over the whole record by the trapezoidal rule; g
 /// is standard gravity. Spectra have 5 % of critical damping.
 struct MotionMeasures {
-  Peak acceleration;   // PGA, m/s^2
-  Peak velocity;       // PGV, m/s, from rest
-  Peak displacement;   // PGD, m, from rest
-  double duration;     // s, first to last value
-  double rms_acceleration;           // m/s^2, sqrt(int a^2 dt / duration)
-  double arias_intensity;            // m/s, pi/(2g) int a^2 dt
-  double characteristic_intensity;   // (a_rms/g)^1.5 sqrt(duration/s)
-  double cumulative_velocity;        // CAV, m/s, int |a| dt
-  double specific_energy_density;    // m^2/s, int v^2 dt
-  double velocity_intensity;         // VSI, m, int Sv dT from 0.1 to 2.5 s, true relative velocity
-  double housner_intensity;          // m, the same with the pseudo velocity
-  double acceleration_intensity;     // ASI, m/s, int PSA dT from 0.1 to 0.5 s
-  double design_acceleration;        // EDA, m/s^2, peak below 9 Hz
-  double predominant_period;         // s, of the largest PSA
-  double sustained_acceleration;     // m/s^2, third largest half-cycle
-  double sustained_velocity;         // m/s, third largest half-cycle
-  double a95;                        // m/s^2, below it lie 95 % of int a^2 dt
-  TimeSpan significant;              // D5-95: 5 to 95 % of int a^2 dt
-  TimeSpan bracketed;                // first and last time above 0.05 g; empty at 0 if never
+  Peak acceleration;                // PGA, m/s^2
+  Peak velocity;                    // PGV, m/s, from rest
+  Peak displacement;                // PGD, m, from rest
+  double duration;                  // s, first to last value
+  double rms_acceleration;          // m/s^2, sqrt(int a^2 dt / duration)
+  double arias_intensity;           // m/s, pi/(2g) int a^2 dt
+  double characteristic_intensity;  // (a_rms/g)^1.5 sqrt(duration/s)
+  double cumulative_velocity;       // CAV, m/s, int |a| dt
+  double specific_energy_density;   // m^2/s, int v^2 dt
+  double velocity_intensity;        // VSI, m, int Sv dT from 0.1 to 2.5 s, true relative velocity
+  double housner_intensity;         // m, the same with the pseudo velocity
+  double acceleration_intensity;    // ASI, m/s, int PSA dT from 0.1 to 0.5 s
+  double design_acceleration;       // EDA, m/s^2, peak below 9 Hz
+  double predominant_period;        // s, of the largest PSA
+  double sustained_acceleration;    // m/s^2, third largest half-cycle
+  double sustained_velocity;        // m/s, third largest half-cycle
+  double a95;                       // m/s^2, below it lie 95 % of int a^2 dt
+  TimeSpan significant;             // D5-95: 5 to 95 % of int a^2 dt
+  TimeSpan bracketed;               // first and last time above 0.05 g; empty at 0 if never
 };
 
 /// All measures. Throws std::invalid_argument for a bad record, one that is zero throughout, and a
@@ -50,7 +50,8 @@ double arias_intensity(GroundRecord const& record);
 /// a_rms^1.5 sqrt(T), with a_rms in g and T in s. Park, Ang & Wen, J. Struct. Eng. 111 (1985) 740.
 double characteristic_intensity(double rms_in_g, double duration);
 
-/// The duration of a record with this Arias intensity [m/s] and a_rms [g]: 2 I / (pi g a_rms^2) [s].
+/// The duration of a record with this Arias intensity [m/s] and a_rms [g]: 2 I / (pi g a_rms^2)
+/// [s].
 double duration_of(double arias, double rms_in_g);
 
 /// int |a| dt [m/s].

@@ -48,10 +48,10 @@ class Realisation {
   Realisation(MotionTarget const& target, std::uint64_t seed, int number)
       : target_(target),
         number_(number),
-        noise_(white_noise(
-            static_cast<std::size_t>(std::ceil(target.duration / target.time_step / least_stretch)) +
-                2,
-            seed)) {}
+        noise_(white_noise(static_cast<std::size_t>(
+                               std::ceil(target.duration / target.time_step / least_stretch)) +
+                               2,
+                           seed)) {}
 
   /// The motion of a layer whose corner frequency brings PGV/PGA as near as it gets.
   FittedMotion fit_corner(Layer const& layer) const {
@@ -74,10 +74,13 @@ class Realisation {
 
  private:
   NoiseMotion motion_of(Layer const& layer) const {
-    NoiseMotion motion{target_.duration, target_.time_step, target_.time_step * layer.stretch,
-                       target_.peak_acceleration, {}, target_.envelope};
-    motion.filter.ground_frequency =
-        layer.frequency / (target_.predominant_period * layer.stretch);
+    NoiseMotion motion{target_.duration,
+                       target_.time_step,
+                       target_.time_step * layer.stretch,
+                       target_.peak_acceleration,
+                       {},
+                       target_.envelope};
+    motion.filter.ground_frequency = layer.frequency / (target_.predominant_period * layer.stretch);
     motion.filter.ground_damping = layer.damping;
     return motion;
   }

@@ -16,7 +16,7 @@ struct OscillatorState {
 ///   u'' + 2 zeta w u' + w^2 u = -a(t)
 ///
 /// solved exactly for an a that runs straight from value to value, whatever the step: the
-/// recurrence of Nigam & Jennings, Bull. Seism. Soc. Am. 59 (1969) 909, eqs. (2.7) to (2.9), written
+/// recurrence of Nigam & Jennings, Bull. Seism. Soc. Am. 59 (1969) 909, written
 /// with the exponential of the matrix M = [0 1; -w^2 -2 zeta w] and its integrals
 ///   y_1 = exp(M dt) y_0 + dt (phi_1 - phi_2) b a_0 + dt phi_2 b a_1,  b = (0, -1),
 ///   phi_1 = (exp(M dt) - 1) / (M dt),  phi_2 = (phi_1 - 1) / (M dt),

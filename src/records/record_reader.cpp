@@ -36,10 +36,11 @@ double unit_of(FiledRecord const& filed, RecordHints const& hints, RecordMistake
     return 1.0;
   }
   if (filed.unit.empty() && !told) {
-    mistakes.add(0, "",
-                 fmt::format("does not say the unit of its acceleration (the largest value is {:.4g})",
-                             largest_size(filed.values)),
-                 "add --unit g, --unit m/s2 or --unit cm/s2");
+    mistakes.add(
+        0, "",
+        fmt::format("does not say the unit of its acceleration (the largest value is {:.4g})",
+                    largest_size(filed.values)),
+        "add --unit g, --unit m/s2 or --unit cm/s2");
     return 1.0;
   }
   if (filed.unit.empty()) return *told;
@@ -82,12 +83,11 @@ GroundRecord parse_record(std::string_view text, std::string const& name,
   RecordMistakes mistakes(name);
   auto const lines = lines_of(text);
   auto const header_end = at2_header_end(lines);
-  FiledRecord const filed = header_end
-                                ? read_at2(lines, *header_end, mistakes)
-                                : read_columns(lines, hints.time_step.has_value(), mistakes);
+  FiledRecord const filed = header_end ? read_at2(lines, *header_end, mistakes)
+                                       : read_columns(lines, hints.time_step.has_value(), mistakes);
   if (filed.values.size() < 2 && mistakes.empty()) {
-    mistakes.add(0, "", fmt::format("holds {} values; a record has two or more",
-                                    filed.values.size()));
+    mistakes.add(0, "",
+                 fmt::format("holds {} values; a record has two or more", filed.values.size()));
     mistakes.raise();
   }
   double const step = step_of(filed, hints, mistakes);

@@ -80,8 +80,8 @@ std::optional<double> number_of(std::string_view word) {
 }
 
 void RecordMistakes::add(std::size_t line, std::string value, std::string rule, std::string hint) {
-  problems_.push_back(
-      {file_, line, line > 0 ? std::size_t{1} : 0, "", std::move(value), std::move(rule), std::move(hint)});
+  problems_.push_back({file_, line, line > 0 ? std::size_t{1} : 0, "", std::move(value),
+                       std::move(rule), std::move(hint)});
 }
 
 void RecordMistakes::add_one_of_many(std::size_t line, std::string value, std::string rule,

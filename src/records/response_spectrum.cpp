@@ -25,15 +25,14 @@ class PeakFinder {
       a = next;
       displacement_ = std::max(displacement_, std::fabs(state_.displacement));
       velocity_ = std::max(velocity_, std::fabs(state_.velocity));
-      acceleration_ =
-          std::max(acceleration_, std::fabs(oscillator_.absolute_acceleration(state_)));
+      acceleration_ = std::max(acceleration_, std::fabs(oscillator_.absolute_acceleration(state_)));
     }
   }
 
   SpectralResponse result(double period) const {
     double const w = 2.0 * std::numbers::pi / period;
-    return {period,           displacement_,         velocity_, acceleration_, w * displacement_,
-            w * w * displacement_};
+    return {period,        displacement_,     velocity_,
+            acceleration_, w * displacement_, w * w * displacement_};
   }
 
  private:
@@ -71,8 +70,8 @@ std::vector<double> periods_at_equal_ratios(double first, double last, std::size
     throw std::invalid_argument("periods: both ends must be positive, and two or more of them");
   std::vector<double> periods(count);
   for (std::size_t i = 0; i < count; ++i)
-    periods[i] = first * std::pow(last / first, static_cast<double>(i) /
-                                                    static_cast<double>(count - 1));
+    periods[i] =
+        first * std::pow(last / first, static_cast<double>(i) / static_cast<double>(count - 1));
   return periods;
 }
 

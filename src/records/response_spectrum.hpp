@@ -10,12 +10,12 @@ namespace moraine {
 
 /// Largest magnitudes of the answer of one oscillator, from rest.
 struct SpectralResponse {
-  double period = 0.0;                 // s
-  double displacement = 0.0;           // m, against the ground: Sd
-  double velocity = 0.0;               // m/s, against the ground: Sv, the true one
-  double acceleration = 0.0;           // m/s^2, in space: Sa
-  double pseudo_velocity = 0.0;        // m/s, w Sd
-  double pseudo_acceleration = 0.0;    // m/s^2, w^2 Sd
+  double period = 0.0;               // s
+  double displacement = 0.0;         // m, against the ground: Sd
+  double velocity = 0.0;             // m/s, against the ground: Sv, the true one
+  double acceleration = 0.0;         // m/s^2, in space: Sa
+  double pseudo_velocity = 0.0;      // m/s, w Sd
+  double pseudo_acceleration = 0.0;  // m/s^2, w^2 Sd
 };
 
 /// The answer of the oscillator with this period [s] and damping ratio, during the record and one

@@ -20,8 +20,8 @@ SpectrumIntensities spectrum_intensities(GroundRecord const& record);
 /// neighbours.
 double predominant_period(GroundRecord const& record);
 
-/// A quick look for it between a quarter and four times `about` [s]: right to 3 % where it lies there
-/// and no other peak is within 2 %.
+/// A quick look for it between a quarter and four times `about` [s]: right to 3 % where it lies
+/// there and no other peak is within 2 %.
 double rough_predominant_period(GroundRecord const& record, double about);
 
 /// Peak of the acceleration below 9 Hz [m/s^2]: second-order Butterworth, both ways. It may exceed

@@ -32,7 +32,8 @@ void pass_through(std::vector<double>& values, double frequency, double damping,
 
 /// `count` values at places 0, r, 2 r, ... between the numbers of the noise.
 std::vector<double> on_steps(std::vector<double> const& noise, double r, std::size_t count) {
-  if (!(r > 0.0) || !(r * static_cast<double>(count - 1) <= static_cast<double>(noise.size()) - 1.0))
+  if (!(r > 0.0) ||
+      !(r * static_cast<double>(count - 1) <= static_cast<double>(noise.size()) - 1.0))
     throw std::invalid_argument("noise: there are too few numbers for the duration");
   std::vector<double> values(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -55,9 +56,7 @@ double Envelope::at(double part) const {
 std::vector<double> white_noise(std::size_t count, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   // 53 random bits in (0, 1].
-  auto const uniform = [&] {
-    return (static_cast<double>(generator() >> 11) + 1.0) * 0x1p-53;
-  };
+  auto const uniform = [&] { return (static_cast<double>(generator() >> 11) + 1.0) * 0x1p-53; };
   std::vector<double> noise;
   noise.reserve(count + 1);
   while (noise.size() < count) {

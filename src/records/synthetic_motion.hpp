@@ -28,9 +28,9 @@ struct Envelope {
   double at(double part) const;
 };
 
-/// White noise: independent normal numbers with mean 0 and variance 1, the same for the same seed on
-/// every machine but for the rounding of sin, cos, log and sqrt (Box & Muller, Ann. Math. Stat. 29
-/// (1958) 610, on the 64-bit Mersenne twister).
+/// White noise: independent normal numbers with mean 0 and variance 1, the same for the same seed
+/// on every machine but for the rounding of sin, cos, log and sqrt (Box & Muller, Ann. Math. Stat.
+/// 29 (1958) 610, on the 64-bit Mersenne twister).
 std::vector<double> white_noise(std::size_t count, std::uint64_t seed);
 
 /// What a motion is made with.
@@ -48,11 +48,10 @@ struct NoiseMotion {
 /// times the envelope, through the second filter
 ///   H_2 = r^2 / (1 - r^2 + 2 i z r),  r = f / f_f,
 /// which leaves neither velocity nor displacement in the end, and a straight line (Baseline::rest)
-/// for what is left of them. Both filters are oscillators solved exactly (Oscillator): H_1 gives the
-/// acceleration of its mass in space, H_2 that against its ground. Clough & Penzien, Dynamics of
-/// Structures (1993), eqs. (28-17) and (28-20).
-/// Throws std::invalid_argument for a duration of fewer than two steps, for noise that is shorter,
-/// and for parameters that are no filter or no envelope.
+/// for what is left of them. Both filters are oscillators solved exactly (Oscillator): H_1 gives
+/// the acceleration of its mass in space, H_2 that against its ground. Clough & Penzien, Dynamics
+/// of Structures (1993), chapter 28. Throws std::invalid_argument for a duration of fewer than two
+/// steps, for noise that is shorter, and for parameters that are no filter or no envelope.
 GroundRecord filtered_noise(std::vector<double> const& noise, NoiseMotion const& motion);
 
 }  // namespace moraine
