@@ -41,7 +41,7 @@ bool is_at2(std::string const& file) {
   return ending == ".at2";
 }
 
-SpectrumRange spectrum_range(MotionOptions const& options, std::vector<GroundRecord> const& records,
+SpectrumRange spectrum_range(MotionOptions const& options, std::vector<FileRecord> const& records,
                              UnitOptions& input) {
   SpectrumRange range;
   range.damping = options.damping;
@@ -50,38 +50,49 @@ SpectrumRange spectrum_range(MotionOptions const& options, std::vector<GroundRec
                   "choose 0 to below 1, for example 0.05");
   range.longest =
       input.positive("--longest-period", options.longest_period, Quantity::time).value_or(4.0);
-  auto const shortest =
-      input.positive("--shortest-period", options.shortest_period, Quantity::time);
-  for (GroundRecord const& record : records) {
+  auto const wanted = input.positive("--shortest-period", options.shortest_period, Quantity::time);
+  range.shortest = wanted.value_or(0.0);
+  for (auto const& [file, record] : records) {
     double const own = shortest_period(record.time_step);
-    if (!shortest) range.shortest = std::min(range.shortest, own);
-    if (shortest && *shortest < own * (1.0 - 1e-9))
-      input.add(record.name,
+    if (!wanted) range.shortest = std::max(range.shortest, own);
+    if (wanted && *wanted < own * (1.0 - 1e-9))
+      input.add(file,
                 fmt::format("a step of {:.4g} s is too coarse for a spectrum from {:.4g} s",
-                            record.time_step, *shortest),
+                            record.time_step, *wanted),
                 fmt::format("its shortest period is {:.4g} s, five steps", own));
   }
-  if (shortest) range.shortest = *shortest;
   if (range.shortest >= range.longest)
-    input.mistake("--longest-period", options.longest_period,
+    input.mistake("--longest-period", fmt::format("\"{}\"", options.longest_period),
                   fmt::format("is not above the shortest, {:.4g} s", range.shortest));
   return range;
 }
 
-void check_steps(std::vector<GroundRecord> const& records, UnitOptions& input) {
-  for (GroundRecord const& record : records) {
+void check_steps(std::vector<FileRecord> const& records, UnitOptions& input) {
+  for (auto const& [file, record] : records) {
     if (record.time_step > coarsest_measured_step * (1.0 + 1e-9))
       input.add(
-          record.name,
+          file,
           fmt::format("a step of {:.4g} s is too coarse for the spectra of the measures, which "
                       "begin at 0.1 s",
                       record.time_step),
-          fmt::format("steps of {:g} s or less are needed; --resample \"{:g} s\" makes them, "
-                      "but adds no frequencies",
-                      coarsest_measured_step, coarsest_measured_step));
-    if (peak_of(record, record.acceleration).value == 0.0)
-      input.add(record.name, "is zero throughout");
+          fmt::format("steps of {0:g} s or less are needed; --resample \"{0:g} s\" makes "
+                      "them, but adds no frequencies",
+                      coarsest_measured_step));
+    if (peak_of(record, record.acceleration).value == 0.0) input.add(file, "is zero throughout");
   }
+}
+
+/// Displacements that go on growing come from the baseline, not from the ground.
+void warn_of_drift(GroundRecord const& record) {
+  GroundPath const path = integrate(record);
+  double const largest = peak_of(record, path.displacement).value;
+  double const last = std::fabs(path.displacement.back());
+  if (last <= 0.5 * largest) return;
+  fmt::print(
+      stderr,
+      "warning: {}: ends displaced by {:.3g} m at {:.3g} m/s, which is drift more likely than "
+      "ground; --baseline corrects it\n",
+      record.name, last, std::fabs(path.velocity.back()));
 }
 
 void check_outputs(MotionOptions const& options, UnitOptions& input) {
@@ -108,14 +119,18 @@ int measure_records(MotionOptions const& options) {
   UnitOptions input(command_name);
   if (options.records.files.empty())
     input.mistake("", "", "a record is missing", "moraine motion --help shows examples");
-  std::vector<GroundRecord> const records = read_records(options.records, input);
+  std::vector<FileRecord> const files = read_records(options.records, input);
   check_outputs(options, input);
-  check_steps(records, input);
-  SpectrumRange const range = spectrum_range(options, records, input);
+  check_steps(files, input);
+  SpectrumRange const range = spectrum_range(options, files, input);
   input.raise();
 
+  std::vector<GroundRecord> const records = without_files(files);
   std::vector<MeasuredMotion> motions;
-  for (GroundRecord const& record : records) motions.push_back(measured_motion(record));
+  for (GroundRecord const& record : records) {
+    motions.push_back(measured_motion(record));
+    warn_of_drift(record);
+  }
   if (options.out.json)
     fmt::print("{}\n", measures_as_json(motions).dump(2));
   else
@@ -181,7 +196,7 @@ void add_motion_command(CLI::App& app, MotionOptions& options) {
   add_record_options(*command, options.records);
   command
       ->add_option("--shortest-period", options.shortest_period,
-                   "of response spectra (default: 0.1 s or five steps)")
+                   "of response spectra (default: five steps)")
       ->group("Spectra");
   command->add_option("--longest-period", options.longest_period, "of response spectra")
       ->capture_default_str()

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "records/processing.hpp"
@@ -66,7 +67,7 @@ void add_record_options(CLI::App& command, RecordOptions& options) {
       ->group(group);
 }
 
-std::vector<GroundRecord> read_records(RecordOptions const& options, UnitOptions& input) {
+std::vector<FileRecord> read_records(RecordOptions const& options, UnitOptions& input) {
   Processing const processing = processing_of(options, input);
   RecordHints hints{options.unit, input.positive("--time-step", options.time_step, Quantity::time)};
   if (!options.unit.empty() && !acceleration_unit(options.unit)) {
@@ -74,15 +75,25 @@ std::vector<GroundRecord> read_records(RecordOptions const& options, UnitOptions
                   "choose g, m/s2 or cm/s2");
     hints.unit.clear();
   }
-  std::vector<GroundRecord> records;
+  std::vector<FileRecord> records;
   for (std::string const& file : options.files) try {
-      records.push_back(processed(read_record(file, hints), processing));
+      records.push_back({file, processed(read_record(file, hints), processing)});
     } catch (InputErrors const& errors) {
       input.add(errors);
     } catch (std::invalid_argument const& error) {
       input.add(file, error.what());
     }
+  std::map<std::string, int> uses;
+  for (FileRecord const& entry : records) ++uses[entry.record.name];
+  for (FileRecord& entry : records)
+    if (uses[entry.record.name] > 1) entry.record.name = entry.file;
   return records;
+}
+
+std::vector<GroundRecord> without_files(std::vector<FileRecord> const& records) {
+  std::vector<GroundRecord> result;
+  for (FileRecord const& entry : records) result.push_back(entry.record);
+  return result;
 }
 
 }  // namespace moraine

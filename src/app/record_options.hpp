@@ -28,7 +28,17 @@ struct RecordOptions {
 /// Makes all but the files known to a command.
 void add_record_options(CLI::App& command, RecordOptions& options);
 
+/// A record and the file that it comes from.
+struct FileRecord {
+  std::string file;
+  GroundRecord record;
+};
+
 /// The records, read and processed. Mistakes go to `input`: records that have some are left out.
-std::vector<GroundRecord> read_records(RecordOptions const& options, UnitOptions& input);
+/// Those whose names are the same are called by their files.
+std::vector<FileRecord> read_records(RecordOptions const& options, UnitOptions& input);
+
+/// The records alone.
+std::vector<GroundRecord> without_files(std::vector<FileRecord> const& records);
 
 }  // namespace moraine

@@ -54,7 +54,7 @@ Request read_request(SloshOptions const& o, UnitOptions& input) {
   if (!(o.damping >= 0.0 && o.damping < 1.0))
     input.mistake("--damping", fmt::format("{:g}", o.damping), "is no damping ratio",
                   "choose 0 to below 1, for example 0.005");
-  request.records = read_records(o.records, input);
+  request.records = without_files(read_records(o.records, input));
   return request;
 }
 

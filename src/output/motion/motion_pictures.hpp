@@ -11,7 +11,7 @@ namespace moraine {
 
 /// Which response spectra are wanted.
 struct SpectrumRange {
-  double shortest = 0.1;  // s
+  double shortest = 0.1;  // s, at least five steps of all records
   double longest = 4.0;   // s
   double damping = 0.05;  // -
 };
