@@ -16,12 +16,11 @@ double sinc(double x) {
   return std::fabs(angle) < 1e-8 ? 1.0 : std::sin(angle) / angle;
 }
 
-/// sinc under the window; x counts zero crossings.
+/// sinc under the window, up to a factor; x counts zero crossings.
 double kernel(double x) {
   double const relative = x / crossings;
   if (std::fabs(relative) >= 1.0) return 0.0;
-  return sinc(x) * std::cyl_bessel_i(0.0, beta * std::sqrt(1.0 - relative * relative)) /
-         std::cyl_bessel_i(0.0, beta);
+  return sinc(x) * std::cyl_bessel_i(0.0, beta * std::sqrt(1.0 - relative * relative));
 }
 
 /// The value at `place`, counted in old steps; `rate` zero crossings per old step.
