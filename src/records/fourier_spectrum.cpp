@@ -22,6 +22,7 @@ std::size_t transform_length(std::size_t least) {
 FrequencySpectrum fourier_spectrum(GroundRecord const& record) {
   check_record(record);
   std::size_t const length = transform_length(2 * record.size());
+  // Of KISS FFT, whose licence (BSD) leaves ours as it is; FFTW's (GPL) would not.
   std::vector<std::complex<double>> in(length), out(length);
   std::copy(record.acceleration.begin(), record.acceleration.end(), in.begin());
   kissfft<double>(length, false).transform(in.data(), out.data());

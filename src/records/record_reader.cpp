@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <system_error>
 
 #include "base/gravity.hpp"
@@ -95,7 +96,11 @@ GroundRecord parse_record(std::string_view text, std::string const& name,
   mistakes.raise();
   GroundRecord record{std::filesystem::path(name).stem().string(), step, filed.start, filed.values};
   for (double& value : record.acceleration) value *= unit;
-  check_record(record);
+  try {
+    check_record(record);  // large numbers leave the range of doubles in SI units
+  } catch (std::invalid_argument const& error) {
+    refuse(name, error.what());
+  }
   return record;
 }
 

@@ -1,6 +1,7 @@
 // `moraine motion` and `moraine slosh`: their examples, pages, messages and files.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -35,7 +36,16 @@ class MotionCommand : public ScratchFolder {
     write(path(name), text);
   }
 
-  /// Whether two texts are the same, numbers within a part in a thousand.
+  /// One of the last digit shown: 0.001 of "0.105".
+  static double last_digit(std::string const& number) {
+    auto const point = number.find('.');
+    auto const end = std::min(number.find('e'), number.size());
+    double const exponent = end < number.size() ? std::stod(number.substr(end + 1)) : 0.0;
+    return std::pow(10.0, exponent - (point < end ? static_cast<double>(end - point - 1) : 0.0));
+  }
+
+  /// Whether two texts are the same, but for one in the last digit of a number, or a part in a
+  /// thousand of it.
   static testing::AssertionResult alike(std::string const& shown, std::string const& printed) {
     std::istringstream a(shown), b(printed);
     std::string word, other;
@@ -45,7 +55,8 @@ class MotionCommand : public ScratchFolder {
       char* end_a = nullptr;
       char* end_b = nullptr;
       double const x = std::strtod(word.c_str(), &end_a), y = std::strtod(other.c_str(), &end_b);
-      if (*end_a != '\0' || *end_b != '\0' || std::fabs(x - y) > 1e-3 * std::fabs(x))
+      double const slack = std::max(1e-3 * std::fabs(x), 1.01 * last_digit(word));
+      if (*end_a != '\0' || *end_b != '\0' || std::fabs(x - y) > slack)
         return testing::AssertionFailure() << word << " is shown, " << other << " printed";
     }
     if (b >> other) return testing::AssertionFailure() << other << " is printed and not shown";

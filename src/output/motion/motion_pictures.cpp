@@ -17,7 +17,7 @@ namespace {
 
 using plot::CurvePanel;
 
-constexpr std::size_t spectrum_points = 200;
+constexpr std::size_t spectrum_points = 400;
 constexpr double highest_frequency = 25.0;  // Hz
 constexpr std::size_t frequency_points = 2000;
 

@@ -34,7 +34,7 @@ std::vector<std::filesystem::path> draw_motions(std::filesystem::path const& bas
                                                 std::vector<GroundRecord> const& records,
                                                 SpectrumRange const& range);
 
-/// Response spectra as CSV at 200 periods of equal ratios: period, and for each record
+/// Response spectra as CSV at 400 periods of equal ratios: period, and for each record
 /// displacement, velocity, acceleration, pseudo velocity and pseudo acceleration, in SI units.
 std::string spectra_as_csv(std::vector<GroundRecord> const& records, SpectrumRange const& range);
 

@@ -84,7 +84,7 @@ TEST_F(MotionTable, DrawsThreePicturesAndWritesSpectra) {
   for (auto const& file : files) EXPECT_GT(bytes_of(file).size(), 5000u);
   std::string const csv = spectra_as_csv(records, {});
   EXPECT_TRUE(csv.starts_with("period [s],first displacement [m],first velocity [m/s]"));
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 201);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 401);
 }
 
 }  // namespace

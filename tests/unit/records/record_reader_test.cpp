@@ -156,6 +156,12 @@ TEST(RecordReader, RefusesWhatIsNoRecord) {
   EXPECT_EQ(message_of<InputErrors>([] { read_record("/", {}); }), "/: is not a file");
 }
 
+TEST(RecordReader, RefusesNumbersThatLeaveTheRange) {
+  EXPECT_EQ(refusal("1e308\n1\n", {"g", 0.1}), "r.txt: ground record: a value is not finite");
+  EXPECT_EQ(refusal("t_s,a_g\n-1e308,1\n1e308,2\n"),
+            "r.txt: ground record: the time step must be positive");
+}
+
 TEST(RecordReader, KnowsUnits) {
   EXPECT_EQ(acceleration_unit("g"), g);
   EXPECT_EQ(acceleration_unit("m/s2"), 1.0);
