@@ -31,7 +31,7 @@ Examples:
   moraine motion quake.csv
   moraine motion quake.csv --pga "0.2 g0" --until "15 s" --baseline rest --plot quake.svg --json
   moraine motion quake.csv --time-scale 0.25 --write model.AT2 --write-displacement table-motion.csv
-  moraine motion quake.csv model.AT2 --csv --write-spectra spectra.csv
+  moraine motion quake.csv model.AT2 --csv --write-spectra spectra.csv --write-frequencies frequencies.csv
 )";
 
 bool is_at2(std::string const& file) {
@@ -100,6 +100,7 @@ void check_outputs(MotionOptions const& options, UnitOptions& input) {
   input.check_output("--write", out.record, out.force);
   input.check_output("--write-displacement", out.displacement, out.force);
   input.check_output("--write-spectra", out.spectra, out.force);
+  input.check_output("--write-frequencies", out.frequencies, out.force);
   if (options.records.files.size() > 1)
     for (auto const& [option, file] :
          {std::pair{"--write", out.record}, std::pair{"--write-displacement", out.displacement}})
@@ -137,6 +138,8 @@ int measure_records(MotionOptions const& options) {
     fmt::print("{}", options.out.csv ? measures_as_csv(motions) : measures_as_text(motions));
   write_motion(records.front(), options.out);
   if (!options.out.spectra.empty()) write_text(options.out.spectra, spectra_as_csv(records, range));
+  if (!options.out.frequencies.empty())
+    write_text(options.out.frequencies, frequencies_as_csv(records));
   if (!options.out.plot.empty())
     for (auto const& file : draw_motions(options.out.plot, records, range))
       fmt::print(stderr, "{}\n", file.string());
@@ -207,6 +210,10 @@ void add_motion_command(CLI::App& app, MotionOptions& options) {
   command->add_flag("--csv", options.out.csv, "the table as CSV")->group("Output");
   add_motion_outputs(*command, options.out);
   command->add_option("--write-spectra", options.out.spectra, "write response spectra as CSV")
+      ->group("Output");
+  command
+      ->add_option("--write-frequencies", options.out.frequencies,
+                   "write Fourier and power spectra as CSV")
       ->group("Output");
   command
       ->add_option("--plot", options.out.plot,

@@ -26,8 +26,9 @@ struct MotionOutputs {
   std::string record;        // file
   std::string displacement;  // file
   std::string axis = "x";
-  std::string spectra;  // file
-  std::string plot;     // file
+  std::string spectra;      // file
+  std::string frequencies;  // file
+  std::string plot;         // file
 };
 
 struct MotionOptions {

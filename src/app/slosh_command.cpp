@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <stdexcept>
 #include <vector>
 
 #include "app/commands.hpp"
@@ -79,8 +80,12 @@ int report_tank(SloshOptions const& options) {
   check_outputs(options, input);
   input.raise();
   TankReport& report = request.report;
-  for (GroundRecord const& record : request.records)
-    report.responses.push_back(tank_response(report.tank, record, report.settings));
+  for (GroundRecord const& record : request.records) try {
+      report.responses.push_back(tank_response(report.tank, record, report.settings));
+    } catch (std::invalid_argument const& error) {
+      input.add(record.name, error.what());
+    }
+  input.raise();
   if (options.json)
     fmt::print("{}\n", tank_as_json(report).dump(2));
   else

@@ -25,6 +25,8 @@ void check(MotionTarget const& target) {
   if (target.time_step > 0.1 * target.predominant_period)
     throw std::invalid_argument(
         "synthetic motion: the time step must be at most a tenth of the predominant period");
+  if (!(target.duration / target.time_step < 1e7))
+    throw std::invalid_argument("synthetic motion: more than ten million steps");
   if (target.duration < 10.0 * target.predominant_period)
     throw std::invalid_argument(
         "synthetic motion: the duration must be at least ten predominant periods");

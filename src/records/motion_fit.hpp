@@ -37,7 +37,7 @@ struct FittedMotion {
 ///
 /// Range: PGV/PGA of a harmonic motion is T/(2 pi); broad motions reach one to three times that of
 /// their predominant period. Throws std::invalid_argument unless all targets are positive, the step
-/// is at most a tenth of the period and the duration at least ten periods.
+/// is at most a tenth of the period and the duration at least ten periods and below 1e7 steps.
 FittedMotion fit_motion(MotionTarget const& target, std::uint64_t seed);
 
 inline constexpr double close_enough = 0.005;

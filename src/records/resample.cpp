@@ -52,8 +52,8 @@ GroundRecord resampled(GroundRecord const& record, double time_step, Interpolati
   auto const last = static_cast<double>(record.size() - 1);
   if (!(ratio > 0.0) || !(last / ratio * (1.0 + 1e-12) >= 1.0))
     throw std::invalid_argument("resampling: the step must be positive and fit into the record");
-  if (!(last / ratio < 1e8))
-    throw std::invalid_argument("resampling: more than a hundred million values");
+  if (!(last / ratio < 1e7))
+    throw std::invalid_argument("resampling: more than ten million values");
   bool const coarser = ratio > 1.0 + 1e-9;
   if (coarser && interpolation == Interpolation::linear)
     throw std::invalid_argument("resampling: straight lines are for finer steps only");

@@ -64,7 +64,7 @@ ImpulsiveMass impulsive_mass(RigidTank const& tank);
 /// Housner's approximation, as in ACI 350.3-06, section 9.2:
 ///   m_i / m = tanh(x)/x, x = (sqrt(3)/2) L/d;   m_c / m = 0.264 (L/d) tanh(3.16 d/L);
 ///   w_c^2 = 3.16 (g/L) tanh(3.16 d/L)
-/// The impulsive mass is up to 10 % above that of linear theory.
+/// The impulsive mass is up to 11 % above that of linear theory (at L = 0.95 d).
 struct HousnerTank {
   ImpulsiveMass impulsive;
   double convective_mass = 0.0;               // kg

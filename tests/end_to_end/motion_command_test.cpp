@@ -224,6 +224,12 @@ TEST_F(MotionCommand, SloshTellsOfAllMistakesTogether) {
         "--write: \"h.csv\" is one file for several records",
         "--unit: \"furlong\" is no unit of acceleration; choose g, m/s2 or cm/s2"})
     EXPECT_NE(result.err.find(part), std::string::npos) << part << "\nin\n" << result.err;
+  write_sine("quake.csv");
+  CommandResult const endless = call(
+      {"slosh", "--length", "1", "--depth", "1", "--record", "quake.csv", "--free-time", "1e9 s"});
+  EXPECT_EQ(endless.code, 2);
+  EXPECT_EQ(endless.err,
+            "quake: tank response: the free time must be positive, at most 1e7 steps\n");
   CommandResult const lonely = call({"slosh", "--length", "1", "--depth", "1", "--plot", "a.svg"});
   EXPECT_EQ(lonely.code, 2);
   EXPECT_EQ(lonely.err, "moraine slosh: --plot: \"a.svg\" needs a record; add --record FILE\n");

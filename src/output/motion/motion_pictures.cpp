@@ -138,4 +138,31 @@ std::string spectra_as_csv(std::vector<GroundRecord> const& records, SpectrumRan
   return text;
 }
 
+std::string frequencies_as_csv(std::vector<GroundRecord> const& records) {
+  std::string text;
+  std::vector<FrequencySpectrum> fourier, power;
+  std::size_t rows = 0;
+  for (GroundRecord const& record : records) {
+    for (auto const* quantity :
+         {"frequency [Hz]", "Fourier amplitude [m/s]", "power spectral density [m^2/s^3]"})
+      text += (text.empty() ? "" : ",") + quoted_cell(record.name + " " + quantity);
+    fourier.push_back(fourier_spectrum(record));
+    power.push_back(power_spectrum(record));
+    rows = std::max(rows, fourier.back().values.size());
+  }
+  text += '\n';
+  for (std::size_t k = 0; k < rows; ++k) {
+    for (std::size_t r = 0; r < records.size(); ++r) {
+      if (r > 0) text += ',';
+      if (k < fourier[r].values.size())
+        text += fmt::format("{},{},{}", fourier[r].frequency(k), fourier[r].values[k],
+                            power[r].values[k]);
+      else
+        text += ",,";
+    }
+    text += '\n';
+  }
+  return text;
+}
+
 }  // namespace moraine

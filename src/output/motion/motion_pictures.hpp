@@ -38,4 +38,8 @@ std::vector<std::filesystem::path> draw_motions(std::filesystem::path const& bas
 /// displacement, velocity, acceleration, pseudo velocity and pseudo acceleration, in SI units.
 std::string spectra_as_csv(std::vector<GroundRecord> const& records, SpectrumRange const& range);
 
+/// Fourier amplitude and power spectral density as CSV, each record at its own frequencies: three
+/// columns for each, in SI units, with empty cells where one has fewer than another.
+std::string frequencies_as_csv(std::vector<GroundRecord> const& records);
+
 }  // namespace moraine

@@ -45,7 +45,7 @@ TEST_F(MotionTable, SaysTheSameInAllForms) {
   EXPECT_TRUE(found);
   EXPECT_EQ(static_cast<std::size_t>(rows) + 2, json[0].size());
   std::string const text = measures_as_text(motions);
-  EXPECT_NE(text.find("\npeak acceleration PGA                g      0.35             0.102\n"),
+  EXPECT_NE(text.find("\npeak acceleration PGA                g       0.35             0.102\n"),
             std::string::npos)
       << text;
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), rows + 1);
@@ -82,6 +82,10 @@ TEST_F(MotionTable, DrawsThreePicturesAndWritesSpectra) {
   EXPECT_EQ(files[1].filename(), "m-spectra.svg");
   EXPECT_EQ(files[2].filename(), "m-frequencies.svg");
   for (auto const& file : files) EXPECT_GT(bytes_of(file).size(), 5000u);
+  std::string const frequencies = frequencies_as_csv(records);
+  EXPECT_TRUE(frequencies.starts_with("first frequency [Hz],first Fourier amplitude [m/s],"));
+  // Twice the 2401 values, on to a length of small factors: 4860.
+  EXPECT_EQ(std::count(frequencies.begin(), frequencies.end(), '\n'), 4860 / 2 + 2);
   std::string const csv = spectra_as_csv(records, {});
   EXPECT_TRUE(csv.starts_with("period [s],first displacement [m],first velocity [m/s]"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 401);
