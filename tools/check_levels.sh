@@ -13,7 +13,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 # The one table of levels. A new room is one word here.
 levels="
 0 base blast
-1 store smoothing matter surface exact
+1 store smoothing matter surface exact records sloshing
 2 search parallel
 3 terms walls bodies motion
 4 coupling probes

@@ -13,6 +13,8 @@
 #include "app/case_commands.hpp"
 #include "app/commands.hpp"
 #include "app/exact_command.hpp"
+#include "app/motion_command.hpp"
+#include "app/slosh_command.hpp"
 #include "base/input_error.hpp"
 #include "output/output_error.hpp"
 
@@ -28,6 +30,8 @@ struct Options {
   moraine::ExactOptions exact;
   moraine::CaseCommandOptions cases;
   moraine::BlastOptions blast;
+  moraine::MotionOptions motion;
+  moraine::SloshOptions slosh;
 };
 
 void add_run(CLI::App& app, Options& options) {
@@ -105,6 +109,8 @@ void check_command(CLI::App const& app, int argc, char** argv) {
 int dispatch(CLI::App const& app, Options const& options) {
   if (auto const code = moraine::run_case_command(app, options.cases)) return *code;
   if (auto const code = moraine::run_blast_command(app, options.blast)) return *code;
+  if (auto const code = moraine::run_motion_command(app, options.motion)) return *code;
+  if (auto const code = moraine::run_slosh_command(app, options.slosh)) return *code;
   if (app.got_subcommand("run")) return moraine::run_case(options.run);
   if (app.got_subcommand("resume")) return moraine::resume_run(options.resume);
   if (app.got_subcommand("preview")) return moraine::preview_case(options.preview);
@@ -132,6 +138,8 @@ int main(int argc, char** argv) {
   moraine::add_exact(app, options.exact);
   moraine::add_case_commands(app, options.cases);
   moraine::add_blast_command(app, options.blast);
+  moraine::add_motion_command(app, options.motion);
+  moraine::add_slosh_command(app, options.slosh);
   try {
     check_command(app, argc, argv);
     app.parse(argc, argv);

@@ -26,6 +26,7 @@ constexpr std::array<QuantityInfo, quantity_count> quantities{{
     {Quantity::mass, "a mass", "kg", {"kg", "g", "t"}},
     {Quantity::angle, "an angle", "rad", {"rad", "deg"}},
     {Quantity::angular_velocity, "an angular velocity", "rad/s", {"rad/s", "deg/s", "rpm"}},
+    {Quantity::frequency, "a frequency", "Hz", {"Hz", "kHz"}},
 }};
 
 static_assert(

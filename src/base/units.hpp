@@ -22,8 +22,9 @@ enum class Quantity : std::uint8_t {
   mass,
   angle,
   angular_velocity,
+  frequency,
 };
-inline constexpr std::size_t quantity_count = 11;
+inline constexpr std::size_t quantity_count = 12;
 
 /// What messages and the reference page say about a quantity.
 struct QuantityInfo {

@@ -104,6 +104,22 @@ void write_case_seeds(fs::path const& folder) {
                       fs::copy_options::overwrite_existing);
 }
 
+void write_record_seeds(fs::path const& folder) {
+  std::string const numbers = " .1000E-02  -.2000E-02\n  .3E-02  0.4D-02\n";
+  write(
+      folder / "record/at2",
+      '\0' + ("PEER\nSTATION\nACCELERATION IN UNITS OF G\nNPTS=   4, DT=   .0050 SEC\n" + numbers));
+  write(folder / "record/columns", '\0' + std::string("t_s,a_g\n0,1\n0.02,-2\n0.04,3\n"));
+  write(folder / "record/blanks",
+        '\0' + std::string("# made\ntime [ms] acceleration [m/s^2]\n0 1\n5 -2\n10 3\n"));
+  write(folder / "record/plain", '\3' + numbers);
+  Dictionary words;
+  for (char const* word : {"NPTS=", "DT=", "UNITS OF G", "VELOCITY", "t_s", "a_g", "[m/s^2]", "(g)",
+                           "a_cm_s2", "1e308", "-1e-308", "nan", "#"})
+    words.add(word);
+  words.save(folder / "record.dict");
+}
+
 void write_seeds(fs::path const& folder) {
   write_case_seeds(folder / "case_file");
   case_words().save(folder / "case_file.dict");
@@ -121,6 +137,7 @@ void write_seeds(fs::path const& folder) {
                            "endfacet", "endsolid", "1e308", "-0", "nan"})
     stl.add(word);
   stl.save(folder / "stl.dict");
+  write_record_seeds(folder);
   for (char const kind : {'r', 'c', 'a', 'i', 'd', 's', 'b', 'x'})
     write(folder / "checkpoint" / std::string(1, kind),
           std::string(1, kind) + std::string("\x10\2\0\0\1\0\0\0", 8));
