@@ -1,6 +1,7 @@
 // What is done per particle or per pair without neighbours: kernels and equations of state.
 #include <vector>
 
+#include "smoothing/any_kernel.hpp"
 #include "state.hpp"
 
 namespace moraine::parts {
@@ -8,22 +9,24 @@ namespace {
 
 constexpr std::size_t count = 4096;  // in the first-level cache, read and written
 
-template <class Kernel>
-void kernel_slope(benchmark::State& run) {
+void kernel_slope(benchmark::State& run, auto const& kernel) {
   using Lane = Simd<float, widest_float>;
   std::vector<float> q(count), slope(count);
   for (std::size_t i = 0; i < count; ++i) q[i] = 2.2f * static_cast<float>(i) / count;
   for (auto _ : run) {
     for (std::size_t i = 0; i < count; i += Lane::size()) {
-      Lane const value = Kernel::slope_over_q(Lane::load(q.data() + i));
+      Lane const value = kernel.slope_over_q(Lane::load(q.data() + i));
       std::memcpy(slope.data() + i, &value.v, sizeof(value.v));
     }
     benchmark::ClobberMemory();
   }
   run.counters["values"] = per_second(count);
 }
-BENCHMARK_TEMPLATE(kernel_slope, WendlandC2<3>);
-BENCHMARK_TEMPLATE(kernel_slope, CubicSpline<3>);
+BENCHMARK_CAPTURE(kernel_slope, wendland_c2, WendlandC2<3>{});
+BENCHMARK_CAPTURE(kernel_slope, cubic_spline, CubicSpline<3>{});
+BENCHMARK_CAPTURE(kernel_slope, wendland_c2_by_name, AnyKernel<3>(KernelName::wendland_c2));
+BENCHMARK_CAPTURE(kernel_slope, quintic_spline_by_name, AnyKernel<3>(KernelName::quintic_spline));
+BENCHMARK_CAPTURE(kernel_slope, gaussian_by_name, AnyKernel<3>(KernelName::gaussian));
 
 template <class Law>
 void respond(benchmark::State& run) {

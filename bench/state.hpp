@@ -19,8 +19,8 @@ struct State {
   State(Model from, Flavour flavour, SchemeName scheme)
       : model(std::move(from)),
         search(search_settings(model)),
-        pairs(make_pair_backend(model.dimension, flavour, model.numerics.kernel, scheme,
-                                sweep_parameters(model), reference_densities(model))) {
+        pairs(make_pair_backend(model.dimension, flavour, scheme, sweep_parameters(model),
+                                reference_densities(model))) {
     search.refresh(model.particles);
     pairs->gather_fluid(model.particles, search, 0.0);
     pairs->gather_walls(model.particles, search, model.walls);

@@ -41,8 +41,8 @@ RoofLine measure_roof(std::string name, Model model, SchemeName scheme, int thre
   ParticleStore& store = model.particles;
   Search search(search_settings(model));
   search.refresh(store);
-  auto const pairs = make_pair_backend(model.dimension, model.flavour(), model.numerics.kernel,
-                                       scheme, sweep_parameters(model), reference_densities(model));
+  auto const pairs = make_pair_backend(model.dimension, model.flavour(), scheme,
+                                       sweep_parameters(model), reference_densities(model));
   pairs->gather_fluid(store, search, 0.0);
   pairs->gather_walls(store, search, model.walls);
 

@@ -1,19 +1,17 @@
-// Kernels for a dimension and a family that are known only at run time; for probes, not for loops
+// Kernels for a dimension that is known only at run time; for probes, not for loops
 // over all pairs.
 #pragma once
 
 #include <type_traits>
 
-#include "smoothing/kernels.hpp"
+#include "smoothing/any_kernel.hpp"
 
 namespace moraine {
 
 /// use(kernel) with the kernel of this name in 1, 2 or 3 dimensions.
 template <class Use>
 double with_kernel(KernelName name, int dimension, Use&& use) {
-  auto const of = [&]<int D>(std::integral_constant<int, D>) {
-    return name == KernelName::cubic_spline ? use(CubicSpline<D>{}) : use(WendlandC2<D>{});
-  };
+  auto const of = [&]<int D>(std::integral_constant<int, D>) { return use(AnyKernel<D>(name)); };
   if (dimension == 1) return of(std::integral_constant<int, 1>{});
   if (dimension == 2) return of(std::integral_constant<int, 2>{});
   return of(std::integral_constant<int, 3>{});

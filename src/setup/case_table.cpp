@@ -14,6 +14,12 @@ constexpr auto output = &Case::output;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+std::vector<std::string_view> kernel_names() {
+  std::vector<std::string_view> names;
+  for (KernelInfo const& kernel : kernel_table) names.push_back(kernel.name);
+  return names;
+}
+
 void add_space(std::vector<Entry<Case>>& table) {
   table.push_back(member<Case, &Case::title>(
       {.key = "title", .type = ValueType::text, .meaning = "one line that names the case"}));
@@ -84,8 +90,8 @@ void add_resolution(std::vector<Entry<Case>>& table) {
       {.key = "resolution.kernel",
        .type = ValueType::choice,
        .preset = static_cast<int>(KernelName::wendland_c2),
-       .names = {"cubic_spline", "wendland_c2"},
-       .meaning = "kernel function",
+       .names = kernel_names(),
+       .meaning = "kernel function; the support of all is 2 smoothing lengths",
        .source = "Wendland, Adv. Comput. Math. 4 (1995) 389"}));
 }
 
@@ -104,6 +110,14 @@ void add_numerics(std::vector<Entry<Case>>& table) {
        .meaning = "weights of the continuity equation; volume where densities of neighbours differ "
                   "severalfold",
        .source = "Monaghan, Rep. Prog. Phys. 68 (2005) 1703, eqs 2.16 and 2.17"}));
+  table.push_back(member<Case, numerics, &Numerics::momentum>(
+      {.key = "numerics.momentum",
+       .type = ValueType::choice,
+       .preset = static_cast<int>(MomentumForm::conservative),
+       .names = {"conservative", "mixed"},
+       .meaning = "form of the pressure force and its energy; mixed belongs to continuity = "
+                  "\"volume\", conservative to \"mass\"",
+       .source = "Liu and Liu (2003), section 4.3"}));
   table.push_back(member<Case, numerics, &Numerics::density_diffusion>(
       {.key = "numerics.density_diffusion",
        .preset = 0.0,

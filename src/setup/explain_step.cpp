@@ -14,10 +14,6 @@
 namespace moraine {
 namespace {
 
-std::string_view kernel_words(KernelName kernel) {
-  return kernel == KernelName::cubic_spline ? "cubic spline" : "Wendland C2";
-}
-
 std::string time_step_words(Case const& c) {
   if (c.time.fixed_step > 0.0) return fmt::format("fixed at {:.4g} s", c.time.fixed_step);
   std::string text = fmt::format(
@@ -72,9 +68,10 @@ std::string motion_words(Case const& c) {
 std::string pair_words(Case const& c) {
   auto const& numerics = c.numerics;
   std::string text = fmt::format(
-      "kernel {}, {} precision: density rate ({} form), pressure with compatible energy",
-      kernel_words(numerics.kernel), numerics.precision == Precision::mixed ? "mixed" : "double",
-      numerics.continuity == ContinuityForm::mass ? "mass" : "volume");
+      "kernel {}, {} precision: density rate ({} form), pressure ({} form) with compatible energy",
+      info(numerics.kernel).words, numerics.precision == Precision::mixed ? "mixed" : "double",
+      numerics.continuity == ContinuityForm::mass ? "mass" : "volume",
+      numerics.momentum == MomentumForm::conservative ? "conservative" : "mixed");
   if (numerics.viscosity_alpha > 0.0 || numerics.viscosity_beta > 0.0)
     text += fmt::format(", artificial viscosity (alpha {}, beta {})", numerics.viscosity_alpha,
                         numerics.viscosity_beta);

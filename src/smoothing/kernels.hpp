@@ -1,25 +1,23 @@
-// Smoothing kernels W(r, h) = sigma_d / h^d * shape(q), q = r / h, support radius 2 h.
+// Smoothing kernels W(r, h) = sigma_d / h^d * shape(q), q = r / h, zero from q = kappa on.
 //
 // Each family gives, for a generic number type:
 //   shape(q)         the kernel without its normalisation
 //   slope_over_q(q)  (d shape / dq) / q, so that grad W = sigma_d / h^(d+2) slope_over_q(q) x_ij
 //   sigma            normalisation sigma_d in d dimensions
-// Both functions are exactly zero for q >= 2: the pair loops need no mask.
+//   support          kappa
+// Both functions are exactly zero from q = kappa on: the pair loops need no mask.
+//
+// The two families of this file have kappa = 2 and instantiations of the pair loops of their own.
+// For all others, see any_kernel.hpp.
 #pragma once
 
-#include <cstdint>
 #include <numbers>
-#include <string_view>
 
 #include "base/macros.hpp"
 #include "base/simd.hpp"
+#include "smoothing/kernel_names.hpp"
 
 namespace moraine {
-
-enum class KernelName : std::uint8_t { cubic_spline, wendland_c2 };
-
-/// Support radius in smoothing lengths, the same for all families here.
-inline constexpr double kernel_support = 2.0;
 
 /// Cubic B-spline (M4): 2/3 - q^2 + q^3/2 for q < 1, (2 - q)^3 / 6 for 1 <= q < 2.
 /// Source: Monaghan & Lattanzio, Astron. Astrophys. 149 (1985) 135, eq. 21; sigma_d = 1/h,
@@ -27,6 +25,7 @@ inline constexpr double kernel_support = 2.0;
 template <int D>
 struct CubicSpline {
   static constexpr KernelName name = KernelName::cubic_spline;
+  static constexpr double support = 2.0;
   static constexpr double sigma =
       D == 1 ? 1.0 : (D == 2 ? 15.0 / (7.0 * std::numbers::pi) : 3.0 / (2.0 * std::numbers::pi));
 
@@ -52,6 +51,7 @@ struct CubicSpline {
 template <int D>
 struct WendlandC2 {
   static constexpr KernelName name = KernelName::wendland_c2;
+  static constexpr double support = 2.0;
   static constexpr double sigma =
       D == 1 ? 5.0 / 8.0
              : (D == 2 ? 7.0 / (4.0 * std::numbers::pi) : 21.0 / (16.0 * std::numbers::pi));
@@ -70,10 +70,5 @@ struct WendlandC2 {
     return number<Real>(-5) * t * t * t;
   }
 };
-
-/// Name in case files.
-constexpr std::string_view kernel_name(KernelName name) {
-  return name == KernelName::cubic_spline ? "cubic_spline" : "wendland_c2";
-}
 
 }  // namespace moraine

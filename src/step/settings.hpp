@@ -15,6 +15,9 @@ enum class Precision : std::uint8_t { mixed, full };
 /// Weights of the continuity equation: by the neighbour's mass, or by its volume.
 enum class ContinuityForm : std::uint8_t { mass, volume };
 
+/// Forms of the pressure force: p_i / rho_i^2 + p_j / rho_j^2, or (p_i + p_j) / (rho_i rho_j).
+enum class MomentumForm : std::uint8_t { conservative, mixed };
+
 struct Numerics {
   KernelName kernel = KernelName::wendland_c2;
   double spacing = 0.0;           // m
@@ -23,6 +26,7 @@ struct Numerics {
   double viscosity_beta = 10.0;   // Monaghan, quadratic
   double density_diffusion = 0.0;
   ContinuityForm continuity = ContinuityForm::mass;
+  MomentumForm momentum = MomentumForm::conservative;
   Precision precision = Precision::mixed;
   double smoothing_length() const { return smoothing_factor * spacing; }
 };

@@ -38,9 +38,8 @@ std::span<Simulation::ActionInfo const> Simulation::actions() { return action_ta
 Simulation::Simulation(Model model, Unstarted)
     : model_(std::move(model)),
       search_(search_settings(model_)),
-      pairs_(make_pair_backend(model_.dimension, model_.flavour(), model_.numerics.kernel,
-                               scheme_of(model_), sweep_parameters(model_),
-                               reference_densities(model_))),
+      pairs_(make_pair_backend(model_.dimension, model_.flavour(), scheme_of(model_),
+                               sweep_parameters(model_), reference_densities(model_))),
       stages_(std::move(model_.stages)) {
   using Run = void (Simulation::*)();
   constexpr std::array<Run, action_table.size()> runs{&Simulation::change_stage,

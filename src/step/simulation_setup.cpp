@@ -39,6 +39,7 @@ SweepParameters sweep_parameters(Model const& model) {
   double const rho = reference_density(eos);
   double const c =
       std::visit([&](auto const& law) { return law.sound_speed(rho, law.reference_energy); }, eos);
+  p.kernel = model.numerics.kernel;
   p.smoothing_length = model.numerics.smoothing_length();
   p.viscosity_alpha = model.numerics.viscosity_alpha;
   p.viscosity_beta = model.numerics.viscosity_beta;
@@ -47,6 +48,7 @@ SweepParameters sweep_parameters(Model const& model) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     p.hydrostatic_slope[axis] = model.gravity[axis] / (c * c);
   p.volume_continuity = model.numerics.continuity == ContinuityForm::volume;
+  p.mixed_momentum = model.numerics.momentum == MomentumForm::mixed;
   // The first row of the finest particles must stand free of it.
   double const finest = model.finest_spacing > 0.0 ? model.finest_spacing : model.numerics.spacing;
   p.contact_gap = 0.25 * std::min(finest, model.numerics.spacing);
@@ -70,6 +72,7 @@ std::vector<double> reference_densities(Model const& model) {
 
 SchemeName scheme_of(Model const& model) {
   if (model.numerics.continuity == ContinuityForm::volume) return SchemeName::compressible;
+  if (model.numerics.momentum == MomentumForm::mixed) return SchemeName::compressible;
   if (model.walls.turn()) return SchemeName::compressible;
   if (model.materials.size() != 1 || !std::holds_alternative<Tait>(model.materials.front().eos))
     return SchemeName::compressible;

@@ -85,8 +85,8 @@ class PairBackend {
 };
 
 /// A backend; reference densities by material id [kg/m^3].
-std::unique_ptr<PairBackend> make_pair_backend(int dimension, Flavour flavour, KernelName kernel,
-                                               SchemeName scheme, SweepParameters const& parameters,
+std::unique_ptr<PairBackend> make_pair_backend(int dimension, Flavour flavour, SchemeName scheme,
+                                               SweepParameters const& parameters,
                                                std::vector<double> reference_densities);
 
 }  // namespace moraine

@@ -358,8 +358,8 @@ class PairBackendImpl final : public PairBackend {
 
 /// All schemes and kernels of one dimension and flavour.
 template <int D, Flavour flavour>
-std::unique_ptr<PairBackend> make_backend(KernelName kernel, SchemeName scheme,
-                                          SweepParameters const& p, std::vector<double> densities) {
+std::unique_ptr<PairBackend> make_backend(SchemeName scheme, SweepParameters const& p,
+                                          std::vector<double> densities) {
   auto const with = [&]<class Kernel>(Kernel) -> std::unique_ptr<PairBackend> {
     if (scheme == SchemeName::liquid && flavour != Flavour::reference) {
       using Liquid = PairBackendImpl<D, flavour == Flavour::reference ? Flavour::full : flavour,
@@ -369,7 +369,9 @@ std::unique_ptr<PairBackend> make_backend(KernelName kernel, SchemeName scheme,
     return std::make_unique<PairBackendImpl<D, flavour, Kernel, CompressibleScheme<D>>>(
         p, std::move(densities));
   };
-  return kernel == KernelName::cubic_spline ? with(CubicSpline<D>{}) : with(WendlandC2<D>{});
+  if (p.kernel == KernelName::wendland_c2) return with(WendlandC2<D>{});
+  if (p.kernel == KernelName::cubic_spline) return with(CubicSpline<D>{});
+  return with(AnyKernel<D>(p.kernel));
 }
 
 }  // namespace moraine

@@ -3,13 +3,13 @@
 
 namespace moraine {
 
-template std::unique_ptr<PairBackend> make_backend<2, Flavour::mixed>(KernelName, SchemeName,
+template std::unique_ptr<PairBackend> make_backend<2, Flavour::mixed>(SchemeName,
                                                                       SweepParameters const&,
                                                                       std::vector<double>);
-template std::unique_ptr<PairBackend> make_backend<2, Flavour::full>(KernelName, SchemeName,
+template std::unique_ptr<PairBackend> make_backend<2, Flavour::full>(SchemeName,
                                                                      SweepParameters const&,
                                                                      std::vector<double>);
-template std::unique_ptr<PairBackend> make_backend<2, Flavour::reference>(KernelName, SchemeName,
+template std::unique_ptr<PairBackend> make_backend<2, Flavour::reference>(SchemeName,
                                                                           SweepParameters const&,
                                                                           std::vector<double>);
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <tuple>
 
-#include "smoothing/kernels.hpp"
+#include "smoothing/any_kernel.hpp"
 #include "terms/sweep.hpp"
 
 namespace moraine {
@@ -17,6 +17,7 @@ template <bool wall, int D, class Kernel, class Layout, class Self, class Terms>
 void reference_sum(SweepParameters const& parameters, Self const& self,
                    std::span<std::uint32_t const> points, double const* records, Terms const& terms,
                    PairSum<double, D>& sum) {
+  auto const kernel = make_kernel<Kernel>(parameters.kernel);
   double const h = parameters.smoothing_length;
   for (std::uint32_t const j : points) {
     Broadcast<double, Layout> const neighbour{records + slot_of(j) * Layout::stride, self.uniform};
@@ -52,7 +53,7 @@ void reference_sum(SweepParameters const& parameters, Self const& self,
     }
     pair.mean_density = 0.5 * (density(self) + density(neighbour));
     pair.inverse = 1.0 / ((pair.distance2 + parameters.softening2()) * pair.mean_density);
-    pair.gradient = Kernel::sigma / std::pow(h, D + 2) * Kernel::slope_over_q(q);
+    pair.gradient = kernel.sigma / std::pow(h, D + 2) * kernel.slope_over_q(q);
 
     PairRates<double> rates{};
     std::apply([&](auto const&... term) { (term(pair, self, neighbour, rates), ...); }, terms);

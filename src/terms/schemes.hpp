@@ -41,7 +41,7 @@ template <class Real, int D>
 auto fluid_terms(SweepParameters const& p) {
   return std::tuple_cat(
       std::tuple{ContinuityDensity<Real>{number<Real>(p.volume_continuity ? 1.0 : 0.0)},
-                 PressureForce{}},
+                 PressureForce{p.mixed_momentum}},
       dissipative_terms<Real, D>(p));
 }
 

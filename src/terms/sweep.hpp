@@ -14,6 +14,7 @@
 
 #include "base/simd_memory.hpp"
 #include "search/neighbour_list.hpp"
+#include "smoothing/any_kernel.hpp"
 #include "terms/pair.hpp"
 #include "terms/pair_fields.hpp"
 #include "terms/sweep_parameters.hpp"
@@ -46,11 +47,13 @@ MORAINE_FORMULA Real separation(SlotOf<Real> x_i, Real x_j, Real scale) {
 template <class Real, int D, class Kernel>
 struct SweepConstants {
   explicit SweepConstants(SweepParameters const& p)
-      : position_scale(number<Real>(p.position_scale)),
+      : kernel(make_kernel<Kernel>(p.kernel)),
+        position_scale(number<Real>(p.position_scale)),
         softening2(number<Real>(p.softening2())),
         inverse_h2(number<Real>(1.0 / (p.smoothing_length * p.smoothing_length))),
-        gradient_factor(number<Real>(Kernel::sigma / std::pow(p.smoothing_length, D + 2))) {}
+        gradient_factor(number<Real>(kernel.sigma / std::pow(p.smoothing_length, D + 2))) {}
 
+  Kernel kernel;
   Real position_scale;
   Real softening2;
   Real inverse_h2;
@@ -140,7 +143,7 @@ void sum_over_pairs(SweepConstants<Real, D, Kernel> const& constants, Self const
         pair.inverse =
             number<Real>(1) / ((pair.distance2 + constants.softening2) * pair.mean_density);
         Real const q = square_root(pair.distance2 * constants.inverse_h2);
-        pair.gradient = constants.gradient_factor * Kernel::slope_over_q(q);
+        pair.gradient = constants.gradient_factor * constants.kernel.slope_over_q(q);
 
         PairRates<Real> rates{number<Real>(0), number<Real>(0), number<Real>(0)};
         std::apply([&](auto const&... term) { (term(pair, self, lanes, rates), ...); }, terms);

@@ -2,12 +2,14 @@
 
 #include <array>
 
+#include "smoothing/kernel_names.hpp"
 #include "terms/pair_fields.hpp"
 
 namespace moraine {
 
 /// Run-time numbers of a sweep, the same for all pairs.
 struct SweepParameters {
+  KernelName kernel = KernelName::wendland_c2;
   double smoothing_length = 0.0;              // h [m]
   double position_scale = 1.0;                // metres per fixed-point unit
   double viscosity_alpha = 0.0;               // [-]
@@ -16,6 +18,7 @@ struct SweepParameters {
   std::array<double, 3> gravity{};            // m/s^2
   std::array<double, 3> hydrostatic_slope{};  // g / c_0^2 [1/m]
   bool volume_continuity = false;             // form of the continuity equation
+  bool mixed_momentum = false;                // form of the pressure force
   double contact_gap = 1.0;                   // below this distance a wall pushes back [m]
   bool walls_move = false;                    // walls do work
   UniformFields<double> uniform{};

@@ -47,6 +47,7 @@ WallState extrapolate(SweepParameters const& parameters, SlotOf<Real> const* sel
                       SlotOf<Real> const* uniform, NeighbourList const& lists, std::size_t i,
                       SlotOf<Real> const* records, std::array<double, 3> const& seen_gravity) {
   using Number = std::conditional_t<reference, double, Real>;
+  auto const kernel = make_kernel<Kernel>(parameters.kernel);
   WallSums<Number> sums{};
   Number gravity[D];
   for (int axis = 0; axis < D; ++axis)
@@ -56,8 +57,8 @@ WallState extrapolate(SweepParameters const& parameters, SlotOf<Real> const* sel
   auto const add = [&](auto const& neighbour, Number const(&x)[D]) {
     Number distance2 = number<Number>(0);
     for (int axis = 0; axis < D; ++axis) distance2 += x[axis] * x[axis];
-    add_to_wall<Number, D>(Kernel::shape(square_root(distance2 * inverse_h2)), x, gravity,
-                           neighbour, sums);
+    add_to_wall<Number, D>(kernel.shape(square_root(distance2 * inverse_h2)), x, gravity, neighbour,
+                           sums);
   };
   Number x[D];
   if constexpr (reference) {

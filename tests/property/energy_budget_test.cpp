@@ -88,7 +88,7 @@ Swept sweep_with(double alpha, double diffusion, Flavour flavour) {
     store.scalar(Field::pressure)[i] = 1e4;
     store.scalar(Field::sound_speed)[i] = 100.0;
   }
-  auto const pairs = make_pair_backend(2, flavour, model.numerics.kernel, SchemeName::compressible,
+  auto const pairs = make_pair_backend(2, flavour, SchemeName::compressible,
                                        sweep_parameters(model), reference_densities(model));
   pairs->gather_fluid(store, search, 0.0);
   pairs->gather_walls(store, search, model.walls);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "step/simulation_setup.hpp"
 #include "support/small_models.hpp"
@@ -63,8 +64,11 @@ Rates plain_rates(Model const& model, std::size_t i) {
     double const mean_density = 0.5 * (rho[i] + rho[j]);
     double const mean_speed = 0.5 * (c[i] + c[j]);
     double const mu = pair.v_x < 0.0 ? h * pair.v_x / softened : 0.0;
+    double const pressure = n.momentum == MomentumForm::mixed
+                                ? (p[i] + p[j]) / (rho[i] * rho[j])
+                                : p[i] / (rho[i] * rho[i]) + p[j] / (rho[j] * rho[j]);
     double const stress =
-        p[i] / (rho[i] * rho[i]) + p[j] / (rho[j] * rho[j]) +
+        pressure +
         (-n.viscosity_alpha * mean_speed * mu + n.viscosity_beta * mu * mu) / mean_density;
     for (std::size_t axis = 0; axis < 3; ++axis)
       rates.acceleration[axis] -= m * stress * gradient * pair.x[axis];
@@ -83,13 +87,14 @@ Rates plain_rates(Model const& model, std::size_t i) {
 }
 
 /// Two liquids with all terms, at pressures and sound speeds that no equation of state need allow.
-Model two_liquids(int dimension, ContinuityForm continuity) {
+Model two_liquids(int dimension, ContinuityForm continuity, MomentumForm momentum) {
   RandomBox box;
   box.dimension = dimension;
   box.side = dimension == 2 ? 16 : 8;
   Model model = random_box(box, 1.0);
   model.gravity = {3.0, -9.81, dimension == 3 ? 1.0 : 0.0};
   model.numerics.continuity = continuity;
+  model.numerics.momentum = momentum;
   model.numerics.density_diffusion = 0.1;
   ParticleStore& store = model.particles;
   for (std::size_t i = 0; i < store.size(); ++i) {
@@ -102,13 +107,16 @@ Model two_liquids(int dimension, ContinuityForm continuity) {
 TEST(PairEquations, AreWhatTheSweepSums) {
   for (int const dimension : {2, 3})
     for (ContinuityForm const continuity : {ContinuityForm::mass, ContinuityForm::volume})
-      for (Flavour const flavour : {Flavour::reference, Flavour::full}) {
-        Model model = two_liquids(dimension, continuity);
+      for (auto const& [flavour, momentum] :
+           {std::pair{Flavour::reference, MomentumForm::conservative},
+            std::pair{Flavour::full, MomentumForm::conservative},
+            std::pair{Flavour::reference, MomentumForm::mixed},
+            std::pair{Flavour::full, MomentumForm::mixed}}) {
+        Model model = two_liquids(dimension, continuity, momentum);
         Search search(search_settings(model));
         search.refresh(model.particles);
-        auto const pairs =
-            make_pair_backend(dimension, flavour, KernelName::wendland_c2, SchemeName::compressible,
-                              sweep_parameters(model), reference_densities(model));
+        auto const pairs = make_pair_backend(dimension, flavour, SchemeName::compressible,
+                                             sweep_parameters(model), reference_densities(model));
         pairs->gather_fluid(model.particles, search, 0.0);
         pairs->sweep(model.particles, search);
         // Sums of some ten to sixty terms in another order; measured 2.3e-15.

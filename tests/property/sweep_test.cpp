@@ -1,5 +1,6 @@
 // Every flavour of the sweep against the plain loop, with all terms and with each of them alone,
 // and the symmetry of pairs.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -23,6 +24,7 @@ struct Terms {
   double viscosity_beta;
   double density_diffusion;
   ContinuityForm continuity;
+  MomentumForm momentum = MomentumForm::conservative;
 };
 
 constexpr Terms term_sets[] = {
@@ -33,6 +35,8 @@ constexpr Terms term_sets[] = {
     {"diffusion", 0.0, 0.0, 0.1, ContinuityForm::mass},
     {"volume", 0.0, 0.0, 0.0, ContinuityForm::volume},
     {"all with volume", 1.0, 10.0, 0.1, ContinuityForm::volume},
+    {"mixed momentum", 0.0, 0.0, 0.0, ContinuityForm::volume, MomentumForm::mixed},
+    {"all with mixed momentum", 1.0, 10.0, 0.1, ContinuityForm::mass, MomentumForm::mixed},
 };
 
 /// A state that no equation of state need allow: any pressure, the reference sound speed.
@@ -56,8 +60,8 @@ Swept sweep(Model model, Flavour flavour, SchemeName scheme) {
   // A liquid's wall particles have its reference density, others that of the fluid before them.
   bool const walls = model.particles.range(Kind::wall).size() > 0;
   set_matter(model.particles, walls && scheme == SchemeName::liquid);
-  auto const pairs = make_pair_backend(model.dimension, flavour, model.numerics.kernel, scheme,
-                                       sweep_parameters(model), reference_densities(model));
+  auto const pairs = make_pair_backend(model.dimension, flavour, scheme, sweep_parameters(model),
+                                       reference_densities(model));
   pairs->gather_fluid(model.particles, search, 0.0);
   pairs->gather_walls(model.particles, search, model.walls);
   Swept swept;
@@ -90,6 +94,7 @@ class Sweep : public testing::TestWithParam<Variant> {
     numerics.viscosity_beta = terms.viscosity_beta;
     numerics.density_diffusion = terms.density_diffusion;
     numerics.continuity = terms.continuity;
+    numerics.momentum = terms.momentum;
     model.gravity = {3.0, -9.81, 1.0};  // diffusion knows the hydrostatic difference
     return model;
   }
@@ -101,8 +106,9 @@ class Sweep : public testing::TestWithParam<Variant> {
   void with_all_terms(Model const& start, Check&& check) const {
     for (Terms const& terms : term_sets) {
       SCOPED_TRACE(terms.name);
-      if (terms.continuity == ContinuityForm::mass || box().scheme == SchemeName::compressible)
-        check(prepared(start, terms));
+      bool const for_liquid =
+          terms.continuity == ContinuityForm::mass && terms.momentum == MomentumForm::conservative;
+      if (for_liquid || box().scheme == SchemeName::compressible) check(prepared(start, terms));
     }
   }
   // Rounding of one number (6e-8, 1e-16) times the cancellation of pair forces that are larger than
@@ -211,6 +217,30 @@ TEST_P(Sweep, DiffusionMovesDensityOnly) {
   EXPECT_LE(std::fabs(sum), share() * size);
 }
 
+/// The kernels that one instantiation of the loop chooses from.
+TEST(SweepWithAnyKernel, AgreesWithThePlainLoop) {
+  for (int const dimension : {1, 2, 3})
+    for (KernelInfo const& kernel : kernel_table)
+      for (Flavour const flavour : {Flavour::mixed, Flavour::full}) {
+        SCOPED_TRACE(fmt::format("{} in {}D", kernel.name, dimension));
+        RandomBox box;
+        box.dimension = dimension;
+        box.side = std::array{0, 60, 12, 8}[static_cast<std::size_t>(dimension)];
+        Model model = random_box(box, 1.0);
+        model.numerics.kernel = kernel.kernel;
+        Swept const plain = sweep(model, Flavour::reference, box.scheme);
+        Swept const fast = sweep(model, flavour, box.scheme);
+        // In single precision the slope of the dome jumps at another rounding of the distance.
+        bool const jumps = kernel.kernel == KernelName::dome && flavour == Flavour::mixed;
+        double const share = flavour == Flavour::mixed ? 5e-6 : 1e-14;
+        if (jumps) continue;
+        for (int axis = 0; axis < dimension; ++axis)
+          expect_equal(fast.store, plain.store, Field::acceleration, axis, share);
+        expect_equal(fast.store, plain.store, Field::density_rate, 0, share);
+        expect_equal(fast.store, plain.store, Field::energy_rate, 0, share);
+      }
+}
+
 std::string name_of(testing::TestParamInfo<Variant> const& variant) {
   return std::to_string(std::get<int>(variant.param)) + "D_" +
          (std::get<Flavour>(variant.param) == Flavour::mixed ? "mixed_" : "double_") +
@@ -221,7 +251,8 @@ std::string name_of(testing::TestParamInfo<Variant> const& variant) {
 INSTANTIATE_TEST_SUITE_P(
     All, Sweep,
     testing::Combine(testing::Values(1, 2, 3), testing::Values(Flavour::mixed, Flavour::full),
-                     testing::Values(KernelName::cubic_spline, KernelName::wendland_c2),
+                     testing::Values(KernelName::cubic_spline, KernelName::wendland_c2,
+                                     KernelName::quintic_spline),
                      testing::Values(SchemeName::liquid, SchemeName::compressible)),
     name_of);
 

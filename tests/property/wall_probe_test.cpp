@@ -38,8 +38,8 @@ Loads loads_of(int dimension, Flavour flavour, SchemeName scheme, int threads) {
     store.scalar(Field::pressure)[i] = 1e4 * (1.5 + std::sin(static_cast<double>(i)));
     store.scalar(Field::sound_speed)[i] = 100.0;
   }
-  auto const pairs = make_pair_backend(dimension, flavour, model.numerics.kernel, scheme,
-                                       sweep_parameters(model), reference_densities(model));
+  auto const pairs = make_pair_backend(dimension, flavour, scheme, sweep_parameters(model),
+                                       reference_densities(model));
   pairs->gather_fluid(store, search, 0.0);
   pairs->gather_walls(store, search, model.walls);
   int const before = omp_get_max_threads();

@@ -44,9 +44,8 @@ std::array<double, 3> force_of_wall(Model const& state, Case const& c, std::size
   Model model = with_one_wall(state, c, wall);
   Search search(search_settings(model));
   search.refresh(model.particles);
-  auto const pairs =
-      make_pair_backend(model.dimension, model.flavour(), model.numerics.kernel, scheme_of(model),
-                        sweep_parameters(model), reference_densities(model));
+  auto const pairs = make_pair_backend(model.dimension, model.flavour(), scheme_of(model),
+                                       sweep_parameters(model), reference_densities(model));
   pairs->gather_fluid(model.particles, search, 0.0);
   pairs->gather_walls(model.particles, search, model.walls);
   return pairs->sweep(model.particles, search).wall_force;
@@ -104,9 +103,8 @@ TEST(Walls, ContinueHydrostaticPressureExactly) {
         store.scalar(Field::sound_speed)[i] = 100.0;
         store.scalar(Field::pressure)[i] = pressure(store.component(Field::position, 0)[i]);
       }
-      auto const pairs =
-          make_pair_backend(dimension, flavour, model.numerics.kernel, SchemeName::liquid,
-                            sweep_parameters(model), reference_densities(model));
+      auto const pairs = make_pair_backend(dimension, flavour, SchemeName::liquid,
+                                           sweep_parameters(model), reference_densities(model));
       pairs->gather_fluid(store, search, 0.0);
       pairs->gather_walls(store, search, model.walls);
       // Rounding of a weighted mean, of 24 and of 53 bits; positions are rounded to 1e-10 m.
