@@ -55,10 +55,11 @@ void check(Kernel const& kernel, double support, Character const& character) {
     integral += kernel.sigma * w * shell * std::pow(q, D - 1) * step;
     // Differences of fourth-order error 1e-5^2 times the third derivative.
     double const d = 1e-5;
-    if (q > d && q + d < support)
+    if (q > d && q + d < support) {
       EXPECT_NEAR(kernel.slope_over_q(q) * q, (kernel.shape(q + d) - kernel.shape(q - d)) / (2 * d),
                   1e-7 * std::max(1.0, peak))
           << q;
+    }
   }
   EXPECT_NEAR(integral, 1.0, 1e-6);
   EXPECT_LE(std::fabs(kernel.shape(support * (1.0 - 1e-9))), (character.jump + 1e-8) * peak);
@@ -67,7 +68,9 @@ void check(Kernel const& kernel, double support, Character const& character) {
     EXPECT_EQ(kernel.slope_over_q(q * support), 0.0);
   }
   EXPECT_TRUE(std::isfinite(kernel.slope_over_q(0.0)));
-  if (character.bends) EXPECT_NEAR(kernel.slope_over_q(1e-9) * 1e-9, 0.0, 1e-6 * peak);
+  if (character.bends) {
+    EXPECT_NEAR(kernel.slope_over_q(1e-9) * 1e-9, 0.0, 1e-6 * peak);
+  }
 }
 
 template <template <int> class Family>
