@@ -1,7 +1,9 @@
 // The state behind a shock in any material.
 #pragma once
 
-#include "matter/eos/eos.hpp"
+#include <vector>
+
+#include "exact/law.hpp"
 
 namespace moraine {
 
@@ -24,7 +26,28 @@ struct ShockState {
 /// Phenomena (1966), chapter I, section 13.
 /// Range: u >= 0 and finite, rho_0 > 0 and a real sound speed ahead, else std::invalid_argument;
 /// without a solution up to a compression of 1e6 std::domain_error.
-ShockState shock_from_piston(Eos const& eos, double density, double specific_energy,
+ShockState shock_from_piston(Law const& law, double density, double specific_energy,
                              double piston_velocity);
+
+/// A shock and the velocity behind it.
+struct ShockWave {
+  ShockState behind;
+  double piston_velocity;  // m/s, of the material behind
+};
+
+/// Shock with pressure `pressure` p behind it, into material at rest:
+///
+///   e - e_0 = (p + p_0) (1/rho_0 - 1/rho) / 2,   u^2 = (p - p_0) (1/rho_0 - 1/rho)
+///
+/// the first compression that satisfies the equation of state. Source as above, eq. (1.71).
+/// Range: p >= p_0, else std::invalid_argument; errors as above.
+ShockWave shock_to_pressure(Law const& law, double density, double specific_energy,
+                            double pressure);
+
+/// The Rankine-Hugoniot curve: `count` shocks of equidistant piston velocities up to
+/// `fastest_piston`, the first of them a sound wave. Ends before the first piston velocity for which
+/// the law has no shock.
+std::vector<ShockWave> hugoniot_curve(Law const& law, double density, double specific_energy,
+                                      double fastest_piston, int count);
 
 }  // namespace moraine

@@ -83,7 +83,7 @@ RiemannIdealGas::RiemannIdealGas(GasState const& left, GasState const& right,
              velocity_change(left, star_pressure_, gamma_));  // eq. (4.9)
 }
 
-GasSample RiemannIdealGas::sample(double x_over_t) const {
+FlowState RiemannIdealGas::sample(double x_over_t) const {
   bool const on_left = x_over_t < star_velocity_;
   GasState const gas =
       on_left ? left_of_contact(left_, star_pressure_, star_velocity_, gamma_, x_over_t)

@@ -1,6 +1,8 @@
 // Exact solution of the Riemann problem for an ideal gas.
 #pragma once
 
+#include "exact/flow_state.hpp"
+
 namespace moraine {
 
 /// Uniform gas on one side of the initial discontinuity.
@@ -8,14 +10,6 @@ struct GasState {
   double density = 0.0;   // kg/m^3
   double velocity = 0.0;  // m/s
   double pressure = 0.0;  // Pa
-};
-
-/// Gas at one place of the solution.
-struct GasSample {
-  double density;          // kg/m^3
-  double velocity;         // m/s
-  double pressure;         // Pa
-  double specific_energy;  // J/kg, p / ((gamma - 1) rho)
 };
 
 /// Two uniform states of one ideal gas that touch at x = 0, t = 0; the solution depends on x/t
@@ -35,7 +29,7 @@ class RiemannIdealGas {
   double star_velocity() const { return star_velocity_; }
 
   /// The state on the ray x/t [m/s]; on a shock or the contact, that of its right side.
-  GasSample sample(double x_over_t) const;
+  FlowState sample(double x_over_t) const;
 
  private:
   double gamma_;

@@ -28,12 +28,24 @@ namespace binding {
 using Sides = std::array<std::array<bool, 2>, 3>;
 using Axes = std::array<bool, 3>;
 
+using Points = std::vector<std::array<double, 3>>;
+
+template <class Place>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
 template <class Place>
 void store(Place& place, Value const& value) {
   if constexpr (std::is_enum_v<Place>) {
     place = static_cast<Place>(std::get<int>(value));
-  } else if constexpr (std::is_same_v<Place, std::optional<double>>) {
-    place = std::get<double>(value);
+  } else if constexpr (is_optional<Place>) {
+    place = std::get<typename Place::value_type>(value);
+  } else if constexpr (std::is_same_v<Place, Points>) {
+    auto const& numbers = std::get<std::vector<double>>(value);
+    place.clear();
+    for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+      place.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
   } else if constexpr (std::is_same_v<Place, Axes>) {
     for (int const axis : std::get<std::vector<int>>(value))
       place[static_cast<std::size_t>(axis)] = true;
@@ -49,8 +61,12 @@ template <class Place>
 Value load(Place const& place) {
   if constexpr (std::is_enum_v<Place>) {
     return static_cast<int>(place);
-  } else if constexpr (std::is_same_v<Place, std::optional<double>>) {
+  } else if constexpr (is_optional<Place>) {
     return place ? Value(*place) : Value();
+  } else if constexpr (std::is_same_v<Place, Points>) {
+    std::vector<double> numbers;
+    for (auto const& point : place) numbers.insert(numbers.end(), point.begin(), point.end());
+    return numbers;
   } else if constexpr (std::is_same_v<Place, std::string>) {
     return place.empty() ? Value() : Value(place);
   } else if constexpr (std::is_same_v<Place, Axes> || std::is_same_v<Place, Sides>) {

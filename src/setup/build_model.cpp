@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "base/input_error.hpp"
 #include "setup/case_size.hpp"
+#include "setup/check_burn.hpp"
 #include "setup/fill.hpp"
 #include "setup/geometry.hpp"
 #include "setup/region_lattice.hpp"
@@ -17,6 +19,8 @@
 
 namespace moraine {
 namespace {
+
+constexpr double not_lit = std::numeric_limits<double>::infinity();
 
 void set_vector(ParticleStore& store, Field field, std::size_t i, Point const& value) {
   for (int axis = 0; axis < store.dimension(); ++axis)
@@ -42,6 +46,12 @@ void add_start_particles(Case const& c, Model& model) {
     }
     for (Field const field : {Field::density, Field::specific_energy, Field::mass})
       store.scalar(field)[i] = old.scalar(field)[from];
+    if (!store.has(Field::lighting_time)) continue;
+    store.scalar(Field::lighting_time)[i] = not_lit;
+    if (!old.has(Field::lighting_time)) continue;  // goes on where it had begun to burn
+    store.scalar(Field::burn_fraction)[i] = old.scalar(Field::burn_fraction)[from];
+    store.scalar(Field::lighting_time)[i] =
+        old.scalar(Field::lighting_time)[from] - c.start.info.time;
   }
 }
 
@@ -56,6 +66,7 @@ void add_fluid(Case const& c, Model& model, Members& members) {
     store.scalar(Field::density)[i] = seed.density;
     store.scalar(Field::specific_energy)[i] = seed.specific_energy;
     store.scalar(Field::mass)[i] = seed.mass;
+    if (store.has(Field::lighting_time)) store.scalar(Field::lighting_time)[i] = not_lit;
   }
 }
 
@@ -174,9 +185,14 @@ Model build_model(Case const& c) {
     model.finest_spacing = std::min(model.finest_spacing, c.start.info.finest_spacing);
   model.time = c.time;
   model.guards = c.guards;
-  for (MaterialSpec const& material : c.materials)
-    model.materials.push_back({material.name, material.eos});
   model.particles = ParticleStore(c.dimension);
+  for (MaterialSpec const& material : c.materials) {
+    model.materials.push_back({material.name, material.eos});
+    if (material.burn.kind != BurnKind::programmed) continue;
+    model.materials.back().burn = burn_of(material, c.numerics.spacing);
+    for (Field const field : {Field::burn_fraction, Field::lighting_time})
+      model.particles.use(field);
+  }
   Members members;
   add_start_particles(c, model);
   add_fluid(c, model, members);

@@ -15,6 +15,7 @@
 
 #include "base/input_error.hpp"
 #include "matter/eos/eos.hpp"
+#include "setup/burn_spec.hpp"
 #include "setup/motion_spec.hpp"
 #include "setup/probe_spec.hpp"
 #include "setup/shape/shape.hpp"
@@ -46,10 +47,11 @@ struct InitialState {
   std::optional<double> lithostatic_load;   // Pa, on top of the weight of all that lies above
 };
 
-/// A named material: its equation of state and reference state.
+/// A named material: its equation of state and reference state, and how it burns.
 struct MaterialSpec {
   std::string name;
   Eos eos;
+  BurnSpec burn{};
 };
 
 /// Layers of several materials from the top downwards, against gravity. There are as many

@@ -126,8 +126,13 @@ CaseSize estimate_size(Case const& c) {
   for (WallSpec const& wall : c.walls) size.walls += wall_particles(c, wall);
   auto const axes = static_cast<std::size_t>(c.dimension - 1);
   double const envelopes = c.output.arrival_pressure ? 32.0 : 0.0;
+  bool const burns = std::any_of(c.materials.begin(), c.materials.end(), [](MaterialSpec const& m) {
+    return m.burn.kind == BurnKind::programmed;
+  });
+  double const burning = burns ? 32.0 : 0.0;  // two numbers, here and in a checkpoint
   size.bytes += size.particles() *
-                (bytes_per_particle[axes] + checkpoint_bytes_per_particle[axes] + envelopes);
+                (bytes_per_particle[axes] + checkpoint_bytes_per_particle[axes] + envelopes +
+                 burning);
   return size;
 }
 

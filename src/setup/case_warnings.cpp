@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <variant>
 
 #include "setup/geometry.hpp"
 #include "setup/parameter.hpp"
@@ -16,6 +18,10 @@ namespace moraine {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Liquid {
+  double density, sound_speed, pressure;  // of the reference state
+};
 
 class Warnings {
  public:
@@ -136,21 +142,33 @@ class Warnings {
     return pressure;
   }
 
+  // Of a liquid whose sound speed is a choice; nothing for other materials.
+  static std::optional<Liquid> liquid(Eos const& eos) {
+    return std::visit(
+        [](auto const& law) -> std::optional<Liquid> {
+          if constexpr (requires { law.background_pressure; })
+            return Liquid{law.reference_density, law.reference_sound_speed,
+                          law.background_pressure};
+          else
+            return std::nullopt;
+        },
+        eos);
+  }
+
   void look_at_sound_speeds() {
     double const fall = std::sqrt(2.0 * length(case_.gravity) * fall_height());
-    bool const slow =
-        std::all_of(case_.materials.begin(), case_.materials.end(),
-                    [](auto const& m) { return std::holds_alternative<Tait>(m.eos); });
+    bool const slow = std::all_of(case_.materials.begin(), case_.materials.end(),
+                                  [](auto const& m) { return liquid(m.eos).has_value(); });
     for (std::size_t m = 0; m < case_.materials.size(); ++m) {
-      auto const* tait = std::get_if<Tait>(&case_.materials[m].eos);
-      if (tait == nullptr) continue;
-      double const excess = std::max(0.0, largest_pressure(m) - tait->background_pressure);
-      double const pushed = std::sqrt(2.0 * excess / tait->reference_density);
+      auto const found = liquid(case_.materials[m].eos);
+      if (!found) continue;
+      double const excess = std::max(0.0, largest_pressure(m) - found->pressure);
+      double const pushed = std::sqrt(2.0 * excess / found->density);
       double const speed = std::max({fall, fastest_start(), pushed});
       if (speed == 0.0) continue;
-      double const ratio = tait->reference_sound_speed / speed;
+      double const ratio = found->sound_speed / speed;
       std::string const key = "material." + case_.materials[m].name + ".reference_sound_speed";
-      std::string const value = fmt::format("{:.4g} m/s", tait->reference_sound_speed);
+      std::string const value = fmt::format("{:.4g} m/s", found->sound_speed);
       if (ratio < 9.9)  // ten times, up to the rounding of who computed it by hand
         warn_of_value(
             key, value,

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "base/input_error.hpp"
+#include "setup/check_burn.hpp"
 #include "setup/check_motion.hpp"
 #include "setup/check_probe.hpp"
 #include "setup/check_region.hpp"
@@ -41,6 +42,8 @@ class CaseCheck {
       source_.report_key("material", {},
                          fmt::format("has {} entries; {} are possible", case_.materials.size(),
                                      largest_material_count));
+    for (MaterialSpec& material : case_.materials)
+      check_burn(material, "material." + material.name + '.', source_);
     for (std::size_t i = 0; i < case_.regions.size(); ++i)
       check_region(case_.regions[i], keys_.regions[i] + '.');
     for (std::size_t i = 0; i < case_.walls.size(); ++i) {
@@ -92,6 +95,19 @@ class CaseCheck {
     if (!region.material.empty()) check_material(region.material, key + "material");
     check_geometry(region, key, case_, source_);
     check_state(region.initial, key);
+    check_density(region, key + "density");
+  }
+
+  void check_density(RegionSpec const& region, std::string const& key) {
+    if (!region.initial.density || !source_.good(key)) return;
+    for (MaterialSpec const& material : case_.materials) {
+      double const limit = limiting_density(material.eos);
+      if (material.name == region.material && *region.initial.density >= limit)
+        source_.report_value(
+            key, fmt::format("is not below {:.6g} kg/m^3, which no shock in \"{}\" reaches "
+                             "(s eta = 1)",
+                             limit, material.name));
+    }
   }
 
   void check_state(InitialState const& initial, std::string const& key) {

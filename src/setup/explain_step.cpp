@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "setup/check_burn.hpp"
 #include "setup/geometry.hpp"
 #include "setup/parameter.hpp"
 #include "setup/region_lattice.hpp"
@@ -20,6 +21,9 @@ std::string time_step_words(Case const& c) {
       "{:.3g} h / (c + 0.6 (alpha c + beta |mu|)), {:.3g} sqrt(h / |a|), h / (2 |v|) with h = "
       "{:.4g} m; the last ends at {:.4g} s",
       c.time.courant, c.time.courant, c.numerics.smoothing_length(), c.time.end);
+  for (auto const& material : c.materials)
+    if (material.burn.kind == BurnKind::programmed)
+      text += fmt::format("; {:.3g} h / D while {} is left to burn", c.time.courant, material.name);
   if (std::isfinite(c.time.max_step)) text += fmt::format("; at most {:.4g} s", c.time.max_step);
   return text;
 }
@@ -43,9 +47,16 @@ std::string search_words(Case const& c) {
 
 std::string matter_words(Case const& c) {
   std::string text;
-  for (auto const& material : c.materials)
+  for (auto const& material : c.materials) {
     text +=
         fmt::format("{}{}: {}", text.empty() ? "" : ", ", material.name, eos_name(material.eos));
+    if (material.burn.kind != BurnKind::programmed) continue;
+    ProgrammedBurn const law = burn_of(material, c.numerics.spacing).law;
+    text += fmt::format(
+        " (programmed burn: front at {:.4g} m/s, {:.4g} m wide; p = F p_products with F = max((t - "
+        "t_lit) D / width, (1 - rho_0/rho) / (1 - {:.4g})), never falling)",
+        law.detonation_velocity, law.width, law.cj_volume);
+  }
   return text;
 }
 

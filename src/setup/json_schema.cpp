@@ -52,9 +52,10 @@ std::string lengths_of_shapes(int dimension) {
 Json vector_lengths(Parameters const& parameters, int dimension) {
   Json table = Json::object();
   for (auto const* parameter : parameters) {
-    if (parameter->type == ValueType::vector)
-      put_schema(table, parameter->key, Json{{"minItems", dimension}, {"maxItems", dimension}},
-                 false);
+    Json const length{{"minItems", dimension}, {"maxItems", dimension}};
+    if (parameter->type == ValueType::vector) put_schema(table, parameter->key, length, false);
+    if (parameter->type == ValueType::points)
+      put_schema(table, parameter->key, Json{{"items", length}}, false);
     if (parameter->type == ValueType::shapes)
       put_schema(table, parameter->key,
                  Json{{"items", Json{{"$ref", "#/$defs/" + lengths_of_shapes(dimension)}}}}, false);

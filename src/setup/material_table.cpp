@@ -2,6 +2,7 @@
 #include <string_view>
 #include <vector>
 
+#include "setup/burn_table.hpp"
 #include "setup/materials.hpp"
 #include "setup/parameter_table.hpp"
 #include "setup/toml.hpp"
@@ -12,6 +13,8 @@ namespace {
 constexpr std::string_view water = "water; Liu and Liu, Smoothed Particle Hydrodynamics (2003)";
 constexpr std::string_view tnt =
     "TNT; Dobratz and Crawford, UCRL-52997 (1985); energy of Liu and Liu (2003)";
+constexpr std::string_view line =
+    "water below 2 km/s, rounded; Marsh, LASL Shock Hugoniot Data (1980)";
 constexpr std::string_view air = "air at 15 degC and one atmosphere";
 
 // The constants of one law, an alternative of Eos; their defaults are those of the struct.
@@ -93,7 +96,8 @@ void add_jwl(std::vector<Entry<MaterialSpec>>& entries) {
   table.add<&Jwl::reference_energy>("reference_energy", Quantity::specific_energy,
                                     Limits::positive(), "energy released per mass", tnt);
   table.add<&Jwl::detonation_velocity>("detonation_velocity", Quantity::velocity,
-                                       Limits::positive(), "speed of the detonation front", tnt);
+                                       Limits::positive(),
+                                       "speed of the detonation front; of programmed burn", tnt);
 }
 
 void add_ideal_gas(std::vector<Entry<MaterialSpec>>& entries) {
@@ -108,9 +112,48 @@ void add_ideal_gas(std::vector<Entry<MaterialSpec>>& entries) {
                                          Limits::positive(), "energy of the undisturbed gas", air);
 }
 
+// The keys that both forms of Mie-Grueneisen have.
+template <class Law>
+void add_mie_grueneisen(std::vector<Entry<MaterialSpec>>& entries, std::string_view coefficient) {
+  LawTable<Law> table(entries);
+  table.template add<&Law::reference_density>("reference_density", Quantity::density,
+                                              Limits::positive(), "density at zero compression",
+                                              line);
+  table.template add<&Law::reference_sound_speed>(
+      "reference_sound_speed", Quantity::velocity, Limits::positive(),
+      "speed of weak shocks: where the line of shock over particle speed begins", line);
+  table.template add<&Law::hugoniot_slope>("hugoniot_slope", Quantity::number,
+                                           Limits::not_negative(),
+                                           "slope of shock over particle speed", line);
+  table.template add<&Law::grueneisen_coefficient>("grueneisen_coefficient", Quantity::number,
+                                                   Limits::not_negative(), coefficient, line);
+  table.template add<&Law::reference_energy>("reference_energy", Quantity::specific_energy,
+                                             Limits::none(), "initial energy");
+  table.template add<&Law::least_pressure>(
+      "least_pressure", Quantity::pressure, {.infinity_allowed = true},
+      "least pressure that the material bears: minus its spall strength; -inf: no floor");
+}
+
+void add_linear(std::vector<Entry<MaterialSpec>>& entries) {
+  LawTable<Linear> table(entries);
+  table.add<&Linear::reference_density>("reference_density", Quantity::density, Limits::positive(),
+                                        "density at the background pressure", "water");
+  table.add<&Linear::reference_sound_speed>(
+      "reference_sound_speed", Quantity::velocity, Limits::positive(),
+      "sound speed at any density; ten times the largest velocity is usual", "water");
+  table.add<&Linear::background_pressure>("background_pressure", Quantity::pressure, Limits::none(),
+                                          "pressure at the reference density");
+  table.add<&Linear::reference_energy>("reference_energy", Quantity::specific_energy,
+                                       Limits::none(), "initial energy; no effect on the pressure");
+  table.add<&Linear::least_pressure>("least_pressure", Quantity::pressure,
+                                     {.infinity_allowed = true},
+                                     "least pressure that the liquid bears; -inf: no floor");
+}
+
 // In the order of the list Eos.
 std::vector<std::string_view> law_names() {
-  return {Tait::name, WaterPolynomial::name, Jwl::name, IdealGas::name};
+  return {Tait::name,          WaterPolynomial::name, Jwl::name,   IdealGas::name,
+          MieGrueneisen::name, UsUp::name,            Linear::name};
 }
 
 // The law of a material file, known before the file is read with this very table.
@@ -158,6 +201,11 @@ std::vector<Entry<MaterialSpec>> make_table() {
   add_water(table);
   add_jwl(table);
   add_ideal_gas(table);
+  add_mie_grueneisen<MieGrueneisen>(table, "Grueneisen coefficient, the same at any density");
+  add_mie_grueneisen<UsUp>(table,
+                           "Grueneisen coefficient at the reference density; it falls as 1 / density");
+  add_linear(table);
+  add_burn_entries(table);
   return table;
 }
 

@@ -58,11 +58,18 @@ struct ToToml {
     return list_text(std::span(value).first(static_cast<std::size_t>(dimension)), real_text);
   }
   std::string operator()(std::vector<double> const& value) const {
+    if (parameter.type == ValueType::points) return points_text(value);
     if (parameter.type != ValueType::corners) return list_text(value, real_text);
     std::vector<std::array<double, 2>> corners;
     for (std::size_t i = 0; i + 1 < value.size(); i += 2)
       corners.push_back({value[i], value[i + 1]});
     return list_text(corners, [](auto const& corner) { return list_text(corner, real_text); });
+  }
+  std::string points_text(std::vector<double> const& value) const {
+    std::vector<std::span<double const>> points;
+    for (std::size_t i = 0; i + 2 < value.size(); i += 3)
+      points.push_back(std::span(value).subspan(i, static_cast<std::size_t>(dimension)));
+    return list_text(points, [](auto const& point) { return list_text(point, real_text); });
   }
   std::string operator()(std::vector<std::string> const& value) const {
     return list_text(value, [](std::string const& text) { return quoted(text); });

@@ -27,17 +27,19 @@ enum class ValueType : std::uint8_t {
   sides,      // a list of side names
   texts,      // a list of texts, none of them empty; of `names` where there are any
   corners,    // a list of pairs of such numbers, whatever the dimension
+  points,     // a list of vectors of such numbers, with as many components as the dimension
   shapes,     // a list of tables, each with the keys of shape_entries(); read and written apart
   shape_key,  // not a key itself: exactly one of the keys `names` must be present in the table
 };
 
 /// A value while it travels between file and Case: nothing, number, integer or index into the
-/// names, text, three components, list (of corners: x, y, x, y ...), list of indices, list of
-/// texts. Always in SI.
+/// names, text, three components, list (of corners: x, y, x, y ...; of points: x, y, z, x ...), list
+/// of indices, list of texts. Always in SI.
 using Value = std::variant<std::monostate, double, int, std::string, std::array<double, 3>,
                            std::vector<double>, std::vector<int>, std::vector<std::string>>;
 
-/// Valid range of a number or of every component. NaN is never valid; infinity only on request.
+/// Valid range of a number or of every component. NaN is never valid; infinity only on request: plus
+/// where there is a least value, else minus.
 struct Limits {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();

@@ -118,6 +118,8 @@ std::string range_text(Parameter const& parameter) {
                                      : "a list of " + quoted_list(parameter.names);
     case ValueType::corners:
       return "a list of pairs, each " + number_range(parameter);
+    case ValueType::points:
+      return "a list of points, each component " + number_range(parameter);
     case ValueType::shapes:
       return "a list of tables, each with the keys of one shape";
     case ValueType::shape_key:
@@ -155,6 +157,10 @@ std::string example_value(Parameter const& parameter) {
     case ValueType::corners: {
       std::string const number = example_real(parameter);
       return fmt::format("[[0, 0], [{0}, 0], [0, {0}]]", number);
+    }
+    case ValueType::points: {
+      std::string const component = example_real(parameter);
+      return fmt::format("[[{0}, {0}]]", component);
     }
     case ValueType::shapes:
       return "[{ disc = { center = [0, 0], radius = 1 } }]";

@@ -42,6 +42,13 @@ Json name_schema(Names const& names) {
   return Json{{"enum", list}};
 }
 
+Json vector_schema(Parameter const& parameter) {
+  Json list = list_schema(number_schema(parameter));
+  list["minItems"] = 1;
+  list["maxItems"] = 3;
+  return list;
+}
+
 Json value_schema(Parameter const& parameter) {
   switch (parameter.type) {
     case ValueType::integer:
@@ -49,12 +56,8 @@ Json value_schema(Parameter const& parameter) {
       return number_schema(parameter);
     case ValueType::reals:
       return list_schema(number_schema(parameter));
-    case ValueType::vector: {
-      Json list = list_schema(number_schema(parameter));
-      list["minItems"] = 1;
-      list["maxItems"] = 3;
-      return list;
-    }
+    case ValueType::vector:
+      return vector_schema(parameter);
     case ValueType::text:
       return Json{{"type", "string"}, {"minLength", 1}};
     case ValueType::choice:
@@ -74,6 +77,8 @@ Json value_schema(Parameter const& parameter) {
       corner["maxItems"] = 2;
       return list_schema(std::move(corner));
     }
+    case ValueType::points:
+      return list_schema(vector_schema(parameter));
     case ValueType::shapes:
       return list_schema(Json{{"$ref", "#/$defs/shape"}});
     case ValueType::shape_key:

@@ -44,7 +44,9 @@ std::string with_unit(double value, Parameter const& parameter) {
 std::string broken_limit(double value, Parameter const& parameter) {
   auto const& limits = parameter.limits;
   if (std::isnan(value)) return "is not a number";
-  if (std::isinf(value) && !limits.infinity_allowed) return "must be finite";
+  // "No bound" is infinity where there is a least value, else minus infinity.
+  bool const no_bound = limits.infinity_allowed && (value > 0.0) == std::isfinite(limits.min);
+  if (std::isinf(value) && !no_bound) return "must be finite";
   bool const low = limits.min_excluded ? value <= limits.min : value < limits.min;
   if (!low && value <= limits.max) return {};
   std::string const least = with_unit(limits.min, parameter);
@@ -82,6 +84,8 @@ class ValueReader {
         return as_value(texts(node));
       case ValueType::corners:
         return as_value(corners(node));
+      case ValueType::points:
+        return as_value(points(node));
       case ValueType::shapes:
         if (!node.is_array()) wrong_kind(node, "a list of shapes, [{ ... }, ...],");
         break;
@@ -199,6 +203,17 @@ class ValueReader {
       if (corner) values.insert(values.end(), corner->begin(), corner->end());
     }
     if (values.size() != 2 * list->size()) return std::nullopt;
+    return values;
+  }
+
+  std::optional<std::vector<double>> points(toml::node const& node) {
+    auto const* list = node.as_array();
+    if (list == nullptr || (!list->empty() && !list->front().is_array()))
+      return wrong_kind(node, "a list of points, [[x, y], ...],");
+    std::vector<double> values;
+    for (auto const& item : *list)
+      if (auto const point = vector(item)) values.insert(values.end(), point->begin(), point->end());
+    if (values.size() != 3 * list->size()) return std::nullopt;
     return values;
   }
 

@@ -12,6 +12,16 @@
 namespace moraine {
 namespace {
 
+/// What a particle that burns answers; notes how far it has burnt by then.
+template <class Law>
+auto burning(Law const& law, ProgrammedBurn const& burn, ParticleStore& store, double now) {
+  return [&law, &burn, now, burnt = store.scalar(Field::burn_fraction),
+          lit = store.scalar(Field::lighting_time)](std::size_t i, double rho, double e) {
+    burnt[i] = burn.fraction(burnt[i], rho, now - lit[i]);
+    return burn.respond(law, rho, e, burnt[i]);
+  };
+}
+
 /// A largest value and where it is; the first that is not a number stays.
 struct Largest {
   double value = 0.0;
@@ -34,6 +44,7 @@ void Simulation::choose_time_step() {
   vote = stricter(vote, acceleration_vote_);
   vote = stricter(vote, motion_vote_);
   vote = stricter(vote, vote_of_walls());
+  vote = stricter(vote, vote_of_burn());
   if (stages_.damping() > 0.0)
     vote = stricter(vote, {0.5 / stages_.damping(), damping_limit, Vote::nobody});
   if (spec.fixed_step > 0.0) vote = {spec.fixed_step, fixed_limit, Vote::nobody};
@@ -102,35 +113,47 @@ void Simulation::evaluate_matter() {
   auto pressure = store.scalar(Field::pressure);
   auto sound_speed = store.scalar(Field::sound_speed);
   double const ahead = predict_by();
-  auto const pass = [&](auto const& law, std::size_t count, auto&& index) {
+  double const now = time_ + vote_.time_step;  // of the predicted state
+  auto const pass = [&](auto&& respond, std::size_t count, auto&& index) {
     for_each_block(count, loop_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         std::size_t const i = index(k);
-        auto const state =
-            law.respond(density[i] + ahead * density_rate[i], energy[i] + ahead * energy_rate[i]);
+        StateResponse const state = respond(i, density[i] + ahead * density_rate[i],
+                                            energy[i] + ahead * energy_rate[i]);
         pressure[i] = state.pressure;
         sound_speed[i] = state.sound_speed;
       }
     });
   };
+  auto const pass_material = [&](std::size_t m, auto&& respond) {
+    if (model_.materials.size() == 1)
+      pass(respond, store.range(Kind::fluid).size(), [](std::size_t k) { return k; });
+    else
+      pass(respond, by_material_[m].size(), [&](std::size_t k) { return by_material_[m][k]; });
+  };
   for (std::size_t m = 0; m < model_.materials.size(); ++m) {
+    auto const& [name, eos, burn] = model_.materials[m];
     std::visit(
         [&](auto const& law) {
-          if (model_.materials.size() == 1)
-            pass(law, store.range(Kind::fluid).size(), [](std::size_t k) { return k; });
-          else
-            pass(law, by_material_[m].size(), [&](std::size_t k) { return by_material_[m][k]; });
+          if constexpr (is_products<std::decay_t<decltype(law)>>)
+            if (burn) return pass_material(m, burning(law, burn->law, store, now));
+          pass_material(m, [&law](std::size_t, double rho, double e) { return law.respond(rho, e); });
         },
-        model_.materials[m].eos);
+        eos);
   }
   std::size_t const count = store.range(Kind::fluid).size();
   auto const silent = [&](std::size_t i) { return !(sound_speed[i] >= 0.0); };
   if (first_bad(count, silent) == none) return;
   fail({Guard::state, all_bad(count, silent), [&](std::size_t i) {
-          return fmt::format(
+          std::string cause = fmt::format(
               "the equation of state gives no sound speed (c^2 < 0) at density {} kg/m^3, "
               "specific energy {} J/kg",
               density[i], energy[i]);
+          double const limit = limiting_density(model_.materials[store.material()[i]].eos);
+          if (density[i] + ahead * density_rate[i] >= limit)
+            cause += fmt::format("; no shock reaches the density {:.6g} kg/m^3 (1 / hugoniot_slope)",
+                                 limit);
+          return cause;
         }});
 }
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "matter/burn/burn.hpp"
 #include "matter/eos/eos.hpp"
 #include "step/guard.hpp"
 #include "step/settings.hpp"
@@ -18,6 +20,10 @@ namespace moraine {
 struct Material {
   std::string name;
   Eos eos;
+  /// Programmed burn, of an equation of state with pressure_by_energy; none: it is burnt from the
+  /// start. The particles of a model with burning materials use burn_fraction, and lighting_time,
+  /// which is infinite for those that are to be lit when their time comes.
+  std::optional<Burn> burn{};
 };
 
 struct Model {

@@ -60,6 +60,7 @@ Simulation::Simulation(Model model, Unstarted)
 }
 
 Simulation::Simulation(Model model) : Simulation(std::move(model), Unstarted{}) {
+  light_explosives();
   stages_.begin_first();
   begin_stage();
   evaluate_rates();

@@ -124,6 +124,8 @@ class Simulation {
   void remove_walls(std::span<std::uint64_t const> ids);
   void find_present_walls();
   void transform(Transformation const& change);
+  void light_explosives();
+  void light(std::size_t particle);
 
   void change_stage();
   void choose_time_step();
@@ -141,6 +143,7 @@ class Simulation {
 
   void sort_by_material();
   Vote vote_of_walls() const;
+  Vote vote_of_burn() const;
   double speed_of_walls() const;
   void damp(double half);
   [[noreturn]] void fail(Finding finding) const;

@@ -45,8 +45,12 @@ void Simulation::transform(Transformation const& change) {
     if (!std::binary_search(change.ids.begin(), change.ids.end(), store.id()[i])) continue;
     double& energy = store.scalar(Field::specific_energy)[i];
     booked_.detonation += store.scalar(Field::mass)[i] * (change.specific_energy - energy);
+    bool const is_new = store.material()[i] != change.material;
     store.set_material(i, change.material);
     energy = change.specific_energy;
+    if (!model_.materials[change.material].burn) continue;
+    if (is_new) store.scalar(Field::burn_fraction)[i] = 0.0;
+    light(i);
   }
 }
 

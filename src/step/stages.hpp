@@ -77,6 +77,9 @@ class Stages {
 
   std::vector<StageEvent> const& events() const { return events_; }
 
+  /// All stages of the run, begun or not.
+  std::vector<Stage> const& all() const { return stages_; }
+
   /// How many stages have not begun yet.
   std::size_t to_come() const { return stages_.empty() ? 0 : stages_.size() - 1 - index_; }
   void exchange(Archive& archive);

@@ -1,5 +1,5 @@
 // The one table of particle fields: name, unit, rank, whether a checkpoint saves it,
-// whether wall particles have it.
+// whether wall particles have it, whether only some runs do.
 #pragma once
 
 #include <array>
@@ -20,6 +20,8 @@ enum class Field : std::uint8_t {
   acceleration,
   density_rate,
   energy_rate,
+  burn_fraction,
+  lighting_time,
 };
 
 enum class Rank : std::uint8_t { scalar, vector };
@@ -31,28 +33,33 @@ struct FieldInfo {
   Rank rank;
   bool saved;     // part of the state that a checkpoint must hold
   bool on_walls;  // wall particles have it too; otherwise its arrays end with the fluid
+  bool optional;  // only where ParticleStore::use asks for it
   std::string_view meaning;
 };
 
 inline constexpr std::array field_table{
-    FieldInfo{Field::position, "position", "m", Rank::vector, true, true, "place of the particle"},
-    FieldInfo{Field::velocity, "velocity", "m/s", Rank::vector, true, false,
+    FieldInfo{Field::position, "position", "m", Rank::vector, true, true, false, "place of the particle"},
+    FieldInfo{Field::velocity, "velocity", "m/s", Rank::vector, true, false, false,
               "velocity of the particle"},
-    FieldInfo{Field::density, "density", "kg/m^3", Rank::scalar, true, true, "mass density"},
-    FieldInfo{Field::specific_energy, "specific_energy", "J/kg", Rank::scalar, true, false,
+    FieldInfo{Field::density, "density", "kg/m^3", Rank::scalar, true, true, false, "mass density"},
+    FieldInfo{Field::specific_energy, "specific_energy", "J/kg", Rank::scalar, true, false, false,
               "internal energy per mass"},
-    FieldInfo{Field::mass, "mass", "kg", Rank::scalar, true, false,
+    FieldInfo{Field::mass, "mass", "kg", Rank::scalar, true, false, false,
               "mass (per metre of thickness in 2D, per square metre in 1D)"},
-    FieldInfo{Field::pressure, "pressure", "Pa", Rank::scalar, true, true,
+    FieldInfo{Field::pressure, "pressure", "Pa", Rank::scalar, true, true, false,
               "pressure, positive in compression"},
-    FieldInfo{Field::sound_speed, "sound_speed", "m/s", Rank::scalar, true, true,
+    FieldInfo{Field::sound_speed, "sound_speed", "m/s", Rank::scalar, true, true, false,
               "adiabatic speed of sound"},
-    FieldInfo{Field::acceleration, "acceleration", "m/s^2", Rank::vector, true, false,
+    FieldInfo{Field::acceleration, "acceleration", "m/s^2", Rank::vector, true, false, false,
               "rate of velocity, gravity included"},
-    FieldInfo{Field::density_rate, "density_rate", "kg/(m^3 s)", Rank::scalar, true, false,
+    FieldInfo{Field::density_rate, "density_rate", "kg/(m^3 s)", Rank::scalar, true, false, false,
               "rate of density"},
-    FieldInfo{Field::energy_rate, "energy_rate", "W/kg", Rank::scalar, true, false,
+    FieldInfo{Field::energy_rate, "energy_rate", "W/kg", Rank::scalar, true, false, false,
               "rate of specific energy"},
+    FieldInfo{Field::burn_fraction, "burn_fraction", "-", Rank::scalar, true, false, true,
+              "part of the explosive that has burnt, with programmed burn; 0 elsewhere"},
+    FieldInfo{Field::lighting_time, "lighting_time", "s", Rank::scalar, true, false, true,
+              "when the front of a programmed burn gets to the particle; infinite: never"},
 };
 inline constexpr std::size_t field_count = field_table.size();
 

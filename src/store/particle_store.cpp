@@ -62,9 +62,22 @@ std::span<double const> ParticleStore::component(Field field, int axis) const {
   return arrays_[slot(field, axis)];
 }
 
+bool ParticleStore::has(Field field) const {
+  return !info(field).optional || used_[static_cast<std::size_t>(field)];
+}
+
+void ParticleStore::use(Field field) {
+  if (has(field)) return;
+  used_[static_cast<std::size_t>(field)] = true;
+  FieldInfo const& about = info(field);
+  std::size_t const size = about.on_walls ? this->size() : kind_size_[0];
+  for (int axis = 0; axis < (about.rank == Rank::vector ? dimension_ : 1); ++axis)
+    array(field, axis).assign(size, 0.0);
+}
+
 std::size_t ParticleStore::append(Kind kind, MaterialId material) {
   for (FieldInfo const& field : field_table) {
-    if (kind == Kind::wall && !field.on_walls) continue;
+    if ((kind == Kind::wall && !field.on_walls) || !has(field.field)) continue;
     int const components = field.rank == Rank::vector ? dimension_ : 1;
     for (int axis = 0; axis < components; ++axis) array(field.field, axis).push_back(0.0);
   }
@@ -112,6 +125,7 @@ void ParticleStore::exchange(Archive& archive) {
   archive.number("particles/next_id", next_id_);
   archive.array("particles/id", "", id_);
   archive.array("particles/material", "", material_);
+  exchange_used(archive);
   for (FieldInfo const& field : field_table)
     for (int axis = 0; axis < (field.rank == Rank::vector ? dimension_ : 1); ++axis)
       exchange_field(archive, field, axis);
@@ -119,8 +133,22 @@ void ParticleStore::exchange(Archive& archive) {
     throw std::runtime_error("numbers of particles, ids and materials do not agree");
 }
 
+void ParticleStore::exchange_used(Archive& archive) {
+  std::string names;
+  for (FieldInfo const& field : field_table)
+    if (field.optional && has(field.field)) names += fmt::format("{} ", field.name);
+  archive.text("particles/optional_fields", names);
+  for (FieldInfo const& field : field_table)
+    used_[static_cast<std::size_t>(field.field)] =
+        field.optional && names.find(fmt::format("{} ", field.name)) != std::string::npos;
+}
+
 void ParticleStore::exchange_field(Archive& archive, FieldInfo const& field, int axis) {
   auto& values = array(field.field, axis);
+  if (!has(field.field)) {
+    values.clear();
+    return;
+  }
   std::size_t const size = field.on_walls ? kind_size_[0] + kind_size_[1] : kind_size_[0];
   if (!field.saved) {
     if (archive.restoring()) values.assign(size, 0.0);

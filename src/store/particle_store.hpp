@@ -1,6 +1,7 @@
 // The particle store: one array of doubles per field component, kinds in contiguous ranges.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -47,6 +48,11 @@ class ParticleStore {
   std::span<MaterialId const> material() const { return material_; }
   void set_material(std::size_t i, MaterialId material) { material_[i] = material; }
 
+  /// Makes an optional field part of all fluid particles, present and to come; zero at first.
+  void use(Field field);
+  /// Whether the particles have this field; true for all that are not optional.
+  bool has(Field field) const;
+
   /// Adds a zeroed particle at the end of its kind and returns its index; ids count upwards.
   /// Fluid particles must be appended before wall particles.
   std::size_t append(Kind kind, MaterialId material);
@@ -62,7 +68,7 @@ class ParticleStore {
   void shrink();
 
   /// Saves or restores all particles in their present order, with the fields marked `saved`; other
-  /// fields are zero after restoring.
+  /// fields are zero after restoring. Optional fields are there afterwards if they were saved.
   void exchange(Archive& archive);
 
   /// Memory held by all arrays, in bytes.
@@ -70,6 +76,7 @@ class ParticleStore {
 
  private:
   std::vector<double>& array(Field field, int axis);
+  void exchange_used(Archive& archive);
   void exchange_field(Archive& archive, FieldInfo const& field, int axis);
 
   int dimension_;
@@ -78,6 +85,7 @@ class ParticleStore {
   std::vector<std::uint64_t> id_;
   std::vector<MaterialId> material_;
   std::uint64_t next_id_ = 0;
+  std::array<bool, field_count> used_{};  // optional fields that the particles have
   std::vector<std::uint64_t> scratch_;  // for permute: one array of any type at a time
 };
 

@@ -22,6 +22,7 @@ std::vector<CheckResult> check_hydrostatic_pressure(Effort effort);
 std::vector<CheckResult> check_sloshing(Effort effort);
 std::vector<CheckResult> check_martin_moyce_front(Effort effort);
 std::vector<CheckResult> check_tnt_in_water(Effort effort);
+std::vector<CheckResult> check_tnt_slab(Effort effort);
 
 namespace {
 
@@ -46,6 +47,9 @@ constexpr std::array all_checks{
     Check{"tnt-in-water",
           "an explosion keeps energy, momentum and symmetry, and its shock is possible",
           check_tnt_in_water},
+    Check{"tnt-slab",
+          "a slab of explosive burns behind a Chapman-Jouguet front, or expands as burnt at once",
+          check_tnt_slab},
 };
 
 }  // namespace

@@ -94,9 +94,11 @@ std::vector<double> state_by_id(ParticleStore const& store) {
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return store.id()[a] < store.id()[b]; });
   std::vector<double> state;
-  for (FieldInfo const& field : field_table)
+  for (FieldInfo const& field : field_table) {
+    if (!store.has(field.field)) continue;
     for (int axis = 0; axis < (field.rank == Rank::vector ? store.dimension() : 1); ++axis)
       for (std::size_t const i : order) state.push_back(store.component(field.field, axis)[i]);
+  }
   return state;
 }
 

@@ -34,6 +34,11 @@ struct IdealGas {
     return signed_root(sound_speed_squared(rho, e));
   }
 
+  /// dp/de = (gamma - 1) rho [kg/m^3].
+  MORAINE_HD double pressure_by_energy(double rho) const {
+    return (heat_capacity_ratio - 1.0) * rho;
+  }
+
   MORAINE_HD StateResponse respond(double rho, double e) const {
     return {pressure(rho, e), sound_speed(rho, e)};
   }

@@ -19,8 +19,8 @@ namespace moraine {
 /// Source: Dobratz and Crawford, LLNL Explosives Handbook, UCRL-52997 (1985); Liu and Liu, Smoothed
 /// Particle Hydrodynamics (2003), chapter 8, where A = 3.712e11 Pa for TNT.
 /// Symbols: A, B [Pa], R1, R2, omega [-], rho_0 reference_density.
-/// Range: rho > 0. The whole charge is products at reference_energy from t = 0 (instantaneous
-/// burn), so detonation_velocity has no part in the pressure; it belongs to the explosive's data.
+/// Range: rho > 0. These are burnt products: detonation_velocity has no part in their pressure. It is
+/// the speed at which programmed burn (matter/burn/programmed_burn.hpp) makes them.
 struct Jwl {
   static constexpr char const* name = "jwl";
 
@@ -45,6 +45,9 @@ struct Jwl {
   }
 
   MORAINE_HD double sound_speed(double rho, double e) const { return respond(rho, e).sound_speed; }
+
+  /// dp/de = omega rho [kg/m^3].
+  MORAINE_HD double pressure_by_energy(double rho) const { return omega * rho; }
 
   /// Least density at which products of energy `e` [J/kg] have pressure `p` [Pa]; NaN if there is
   /// none between 1e-9 and 5 reference densities.

@@ -8,6 +8,8 @@
 //   sound_speed(rho, e)              signed_root(c^2)                    [m/s]
 //   respond(rho, e)                  pressure and sound speed at once, for the pass over particles
 //   density_at_pressure(p, e), energy_at_pressure(rho, p)   inverses, for setup; NaN: no such state
+// and, where the material can be the products of an explosive that burns by and by,
+//   pressure_by_energy(rho)          dp/de                               [kg/m^3]
 // with density rho > 0 [kg/m^3] and specific energy e [J/kg]. Nothing here throws or branches on
 // more than the state.
 #pragma once

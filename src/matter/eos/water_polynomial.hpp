@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/macros.hpp"
+#include "matter/eos/pressure_floor.hpp"
 #include "matter/eos/state_response.hpp"
 
 namespace moraine {
@@ -35,7 +36,7 @@ struct WaterPolynomial {
   double cavitation_pressure = 0.0;   // Pa
 
   MORAINE_HD StateResponse respond(double rho, double e) const {
-    Response const response = evaluate(rho, e);
+    SquaredResponse const response = evaluate(rho, e);
     return {response.pressure, signed_root(response.sound_speed_squared)};
   }
 
@@ -65,21 +66,14 @@ struct WaterPolynomial {
   }
 
  private:
-  struct Response {
-    double pressure;
-    double sound_speed_squared;
-  };
-
-  MORAINE_HD Response evaluate(double rho, double e) const {
-    Response const free = without_floor(rho, e);
-    if (!(free.pressure < cavitation_pressure)) return free;
-    double const floor_density = density_without_floor(cavitation_pressure, e);
-    double const c2 = floor_density > 0.0 ? without_floor(floor_density, e).sound_speed_squared
-                                          : -a1 / reference_density;
-    return {cavitation_pressure, c2};
+  MORAINE_HD SquaredResponse evaluate(double rho, double e) const {
+    return with_floor(
+        cavitation_pressure, a1 / reference_density, rho, e,
+        [this](double density, double energy) { return without_floor(density, energy); },
+        [this](double p, double energy) { return density_without_floor(p, energy); });
   }
 
-  MORAINE_HD Response without_floor(double rho, double e) const {
+  MORAINE_HD SquaredResponse without_floor(double rho, double e) const {
     double const mu = rho / reference_density - 1.0;
     double const heat = reference_density * e;
     double p = a1 * mu + (b0 + b1 * mu) * heat;

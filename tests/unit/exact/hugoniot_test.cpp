@@ -80,9 +80,9 @@ std::string message_of(double density, double energy, double piston) {
 }
 
 TEST(Hugoniot, RefusesWhatIsNoShock) {
-  EXPECT_EQ(message_of(0.0, 1e5, 10.0), "shock from piston: density must be positive");
-  EXPECT_EQ(message_of(1.0, -1e5, 10.0), "shock from piston: the state ahead has no sound speed");
-  char const* const velocity = "shock from piston: the velocity must be finite and not negative";
+  EXPECT_EQ(message_of(0.0, 1e5, 10.0), "shock: density must be positive");
+  EXPECT_EQ(message_of(1.0, -1e5, 10.0), "shock: the state ahead has no sound speed");
+  char const* const velocity = "shock: the piston's velocity must be finite and not negative";
   EXPECT_EQ(message_of(1.0, 1e5, -1.0), velocity);
   EXPECT_EQ(message_of(1.0, 1e5, INFINITY), velocity);
 }

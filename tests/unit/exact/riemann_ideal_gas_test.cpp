@@ -14,7 +14,7 @@ namespace {
 GasState const sod_left{1.0, 0.0, 1.0};
 GasState const sod_right{0.125, 0.0, 0.1};
 
-void expect_same(GasSample const& a, GasSample const& b, double tolerance) {
+void expect_same(FlowState const& a, FlowState const& b, double tolerance) {
   EXPECT_NEAR(a.density, b.density, tolerance);
   EXPECT_NEAR(a.velocity, b.velocity, tolerance);
   EXPECT_NEAR(a.pressure, b.pressure, tolerance);
@@ -49,13 +49,13 @@ TEST(RiemannIdealGas, WavesOfSodObeyTheirLaws) {
   double const gamma = 1.4;
   RiemannIdealGas const sod(sod_left, sod_right, gamma);
   double const u = sod.star_velocity();
-  GasSample const before = sod.sample(10.0);
-  GasSample const behind = sod.sample(u + 1e-9);
+  FlowState const before = sod.sample(10.0);
+  FlowState const behind = sod.sample(u + 1e-9);
   double const shock = behind.density * u / (behind.density - before.density);
   double const flux_before = before.density * shock * shock + before.pressure;
   double const flux_behind = behind.density * (u - shock) * (u - shock) + behind.pressure;
   EXPECT_NEAR(flux_before, flux_behind, 1e-14);
-  auto const head = [](GasSample const& gas, double speed) {
+  auto const head = [](FlowState const& gas, double speed) {
     return gas.specific_energy + gas.pressure / gas.density + 0.5 * speed * speed;
   };
   EXPECT_NEAR(head(before, shock), head(behind, u - shock), 1e-13);
@@ -65,7 +65,7 @@ TEST(RiemannIdealGas, WavesOfSodObeyTheirLaws) {
   double const c_left = std::sqrt(gamma);
   expect_same(sod.sample(-c_left - 1e-9), {1.0, 0.0, 1.0, 2.5}, 1e-15);
   for (double const s : {-1.1, -0.6, -0.08, 0.5}) {  // the last one is behind the fan
-    GasSample const gas = sod.sample(s);
+    FlowState const gas = sod.sample(s);
     double const c = std::sqrt(gamma * gas.pressure / gas.density);
     EXPECT_NEAR(gas.velocity + 5.0 * c, 5.0 * c_left, 1e-14);
     EXPECT_NEAR(gas.pressure / std::pow(gas.density, gamma), 1.0, 1e-14);
@@ -83,11 +83,11 @@ TEST(RiemannIdealGas, MirrorsAndMovesWithTheFrame) {
   left.velocity = right.velocity = 3.0;
   RiemannIdealGas const moving(left, right, 1.4);
   for (double s = -1.975; s < 2.0; s += 0.05) {
-    GasSample const expected = sod.sample(s);
-    GasSample image = mirrored.sample(-s);
+    FlowState const expected = sod.sample(s);
+    FlowState image = mirrored.sample(-s);
     image.velocity = -image.velocity;
     expect_same(image, expected, 1e-13);
-    GasSample shifted = moving.sample(s + 3.0);
+    FlowState shifted = moving.sample(s + 3.0);
     shifted.velocity -= 3.0;
     expect_same(shifted, expected, 1e-12);
   }
@@ -138,7 +138,7 @@ TEST_P(RiemannTable, Agrees) {
   auto const rows = reference_data(file);
   EXPECT_EQ(rows.size(), 50u);
   for (auto const& row : rows) {
-    GasSample const gas = solution.sample((row[0] - position) / time);
+    FlowState const gas = solution.sample((row[0] - position) / time);
     double const digits = 1e-10;
     EXPECT_NEAR(gas.density, row[1], digits * (1.0 + row[1])) << "x = " << row[0];
     EXPECT_NEAR(gas.velocity, row[2], digits * (1.0 + std::fabs(row[2]))) << "x = " << row[0];

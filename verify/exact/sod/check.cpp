@@ -31,7 +31,7 @@ Errors errors_of(Simulation const& simulation, RiemannIdealGas const& exact) {
   auto const mass = store.scalar(Field::mass);
   Errors error, size;
   for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i) {
-    GasSample const sample = exact.sample(x[i] / simulation.time());
+    FlowState const sample = exact.sample(x[i] / simulation.time());
     double const volume = mass[i] / rho[i];
     error.density += volume * std::fabs(rho[i] - sample.density);
     error.velocity += volume * std::fabs(v[i] - sample.velocity);
