@@ -33,8 +33,8 @@ double CouetteFlow::velocity(double y, double time) const {
   double sum = 0.0;
   for (int n = last_term(scaled_time); n > 0; --n) {
     double const sign = n % 2 == 0 ? 1.0 : -1.0;
-    sum += sign / (n * pi) * std::sin(n * pi * y / width) *
-           std::exp(-n * pi * n * pi * scaled_time);
+    sum +=
+        sign / (n * pi) * std::sin(n * pi * y / width) * std::exp(-n * pi * n * pi * scaled_time);
   }
   return steady_velocity(y) + 2.0 * plate_speed * sum;
 }

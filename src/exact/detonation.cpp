@@ -23,9 +23,10 @@ Detonation with_density(Explosive const& explosive, double rho) {
   double const slope = (excess(at_zero) - at_zero) / at_zero;
   double const p = -at_zero / slope;
   double const e = explosive.specific_energy + 0.5 * p * released;
-  double const speed = slope < 0.0 && p > 0.0 ? std::sqrt(p / released) / explosive.density
-                                              : std::nan("");
-  return {speed, {rho, speed * (1.0 - explosive.density / rho), p, e},
+  double const speed =
+      slope < 0.0 && p > 0.0 ? std::sqrt(p / released) / explosive.density : std::nan("");
+  return {speed,
+          {rho, speed * (1.0 - explosive.density / rho), p, e},
           explosive.products.sound_speed(rho, e)};
 }
 
@@ -45,9 +46,9 @@ Detonation chapman_jouguet(Explosive const& explosive) {
     last = std::exchange(next, beyond);
   }
   if (touching.size() != 1)
-    throw std::domain_error(touching.empty()
-                                ? "detonation: no Rayleigh line touches the Hugoniot of the products"
-                                : "detonation: more than one Rayleigh line touches the Hugoniot");
+    throw std::domain_error(
+        touching.empty() ? "detonation: no Rayleigh line touches the Hugoniot of the products"
+                         : "detonation: more than one Rayleigh line touches the Hugoniot");
   // At densities below that of the C-J state the flow behind is supersonic.
   double const rho = bisect(
       [&](double density) {
@@ -78,9 +79,8 @@ FlowState TaylorWave::sample(double x_over_t) const {
   if (x_over_t > detonation_.speed)
     return {explosive_.density, 0.0, 0.0, explosive_.specific_energy};
   double const u = detonation_.behind.velocity;
-  IsentropeState const at = isentrope_.where([&](IsentropeState const& s) {
-    return u - s.velocity_change + s.sound_speed - x_over_t;
-  });
+  IsentropeState const at = isentrope_.where(
+      [&](IsentropeState const& s) { return u - s.velocity_change + s.sound_speed - x_over_t; });
   return {at.density, u - at.velocity_change, at.pressure, at.specific_energy};
 }
 

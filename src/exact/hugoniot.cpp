@@ -75,8 +75,7 @@ ShockWave shock_to_pressure(Law const& law, double density, double specific_ener
   double const jump = pressure - ahead.pressure;
   if (!(jump >= 0.0 && std::isfinite(jump)))
     throw std::invalid_argument("shock: the pressure behind is below the one ahead");
-  if (jump == 0.0)
-    return {{ahead.sound_speed, density, ahead.pressure, specific_energy}, 0.0};
+  if (jump == 0.0) return {{ahead.sound_speed, density, ahead.pressure, specific_energy}, 0.0};
   double const mean = 0.5 * (pressure + ahead.pressure);
   auto const energy = [&](double s) { return specific_energy + mean * s / (density * (1.0 + s)); };
   auto const excess = [&](double s) {

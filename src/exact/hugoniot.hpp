@@ -45,8 +45,8 @@ ShockWave shock_to_pressure(Law const& law, double density, double specific_ener
                             double pressure);
 
 /// The Rankine-Hugoniot curve: `count` shocks of equidistant piston velocities up to
-/// `fastest_piston`, the first of them a sound wave. Ends before the first piston velocity for which
-/// the law has no shock.
+/// `fastest_piston`, the first of them a sound wave. Ends before the first piston velocity for
+/// which the law has no shock.
 std::vector<ShockWave> hugoniot_curve(Law const& law, double density, double specific_energy,
                                       double fastest_piston, int count);
 

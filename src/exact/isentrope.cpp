@@ -68,8 +68,8 @@ Isentrope::Vector Isentrope::stepped(std::size_t knot, double size) const {
 }
 
 void Isentrope::integrate() {
-  auto stepper = odeint::make_controlled(tiny_value, relative_error,
-                                         odeint::runge_kutta_fehlberg78<Vector>());
+  auto stepper =
+      odeint::make_controlled(tiny_value, relative_error, odeint::runge_kutta_fehlberg78<Vector>());
   auto const system = [this](Vector const& y, Vector& dy, double s) { dy = rate(y, s); };
   double size = first_step;
   for (;;) {
@@ -108,8 +108,7 @@ void Isentrope::end_at_floor(double size) {
   double const s = depths_.back();
   double const scale = density_ * sound_speed_ * sound_speed_;
   double const floor = state(stepped(knot, size), s + size).pressure / scale;
-  double const part =
-      bisect([&](double h) { return stepped(knot, h)[2] - floor; }, 0.0, size);
+  double const part = bisect([&](double h) { return stepped(knot, h)[2] - floor; }, 0.0, size);
   knots_.push_back(stepped(knot, part));
   depths_.push_back(s + part);
   states_.push_back(state(knots_.back(), depths_.back()));

@@ -24,8 +24,7 @@ concept PressureLaw = requires(T const& law, double rho, double e) {
 class Law {
  public:
   template <PressureLaw T>
-    requires(!std::same_as<T, Law>)
-  Law(T law)  // NOLINT(google-explicit-constructor): a law is a Law
+  requires(!std::same_as<T, Law>) Law(T law)  // NOLINT(google-explicit-constructor): a law is a Law
       : pressure_([law](double rho, double e) { return law.pressure(rho, e); }),
         sound_speed_squared_(
             [law](double rho, double e) { return law.sound_speed_squared(rho, e); }) {}

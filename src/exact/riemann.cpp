@@ -16,8 +16,7 @@ double stiffness(WaveCurve const& curve) {
 
 char const* apart(WaveCurve const& left, WaveCurve const& right) {
   auto const ends_by = [](WaveCurve const& curve) { return curve.isentrope().ends_by(); };
-  bool const liquid =
-      ends_by(left) == IsentropeEnd::floor || ends_by(right) == IsentropeEnd::floor;
+  bool const liquid = ends_by(left) == IsentropeEnd::floor || ends_by(right) == IsentropeEnd::floor;
   return liquid ? "Riemann problem: the states move apart and the liquid cavitates"
                 : "Riemann problem: the states move apart and leave a vacuum";
 }
@@ -25,8 +24,7 @@ char const* apart(WaveCurve const& left, WaveCurve const& right) {
 // The pressure at which both waves give the contact one velocity. `closing` is u_left - u_right.
 double common_pressure(WaveCurve const& left, WaveCurve const& right, double closing) {
   auto const mismatch = [&](double p) { return left.velocity(p) + right.velocity(p) - closing; };
-  double const low =
-      std::max(left.isentrope().end().pressure, right.isentrope().end().pressure);
+  double const low = std::max(left.isentrope().end().pressure, right.isentrope().end().pressure);
   if (mismatch(low) > 0.0) throw std::domain_error(apart(left, right));
   double high = std::max(left.ahead().pressure, right.ahead().pressure);
   double rise = std::min(stiffness(left), stiffness(right));
@@ -60,8 +58,7 @@ RiemannProblem RiemannProblem::into_vacuum(RiemannSide const& left) {
 }
 
 RiemannProblem::RiemannProblem(RiemannSide const& left, std::optional<RiemannSide> const& right)
-    : left_(left.law, left.density, left.specific_energy),
-      left_velocity_(left.velocity) {
+    : left_(left.law, left.density, left.specific_energy), left_velocity_(left.velocity) {
   if (right) {
     right_.emplace(right->law, right->density, right->specific_energy);
     right_velocity_ = right->velocity;
@@ -72,8 +69,7 @@ RiemannProblem::RiemannProblem(RiemannSide const& left, std::optional<RiemannSid
   }
   left_wave_ = in_frame(left_.wave(star_pressure_), left_velocity_, true);
   star_velocity_ = left_wave_.behind.velocity;
-  if (right_wave_)
-    star_velocity_ = 0.5 * (star_velocity_ + right_wave_->behind.velocity);
+  if (right_wave_) star_velocity_ = 0.5 * (star_velocity_ + right_wave_->behind.velocity);
 }
 
 FlowState RiemannProblem::sample(double x_over_t) const {

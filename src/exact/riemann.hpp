@@ -26,8 +26,8 @@ struct RiemannSide {
 /// solutions where the laws have them: the contact is glued.
 ///
 /// Throws std::invalid_argument for states without density or sound speed; std::domain_error where
-/// the states move apart faster than their materials can follow (a vacuum, or cavitation where a law
-/// has a floor of pressure), and what the waves throw.
+/// the states move apart faster than their materials can follow (a vacuum, or cavitation where a
+/// law has a floor of pressure), and what the waves throw.
 class RiemannProblem {
  public:
   RiemannProblem(RiemannSide const& left, RiemannSide const& right);

@@ -46,16 +46,16 @@ class Sedov {
   double shock_speed(double time) const;
   /// The state just behind the shock.
   FlowState behind_shock(double time) const;
-  /// At distance `r` >= 0 and `time` > 0; on the shock, the state behind. In the origin the specific
-  /// energy is infinite and the density zero.
+  /// At distance `r` >= 0 and `time` > 0; on the shock, the state behind. In the origin the
+  /// specific energy is infinite and the density zero.
   FlowState sample(double r, double time) const;
 
  private:
   struct Profile {
     double f, g, h;
   };
-  // The bases of the powers, as logarithms, for V = V_0 (1 + x_s exp(y)): the shock at x_s is y = 0,
-  // the origin y = -infinity.
+  // The bases of the powers, as logarithms, for V = V_0 (1 + x_s exp(y)): the shock at x_s is y =
+  // 0, the origin y = -infinity.
   struct Logarithms {
     double x1, x2, x3, x4;
   };

@@ -43,8 +43,7 @@ StandingWave::Sample StandingWave::sample(double x, double z, double time) const
   double const odd = scale * (1.0 - down);
   double const speed = decayed * gravity * k / w * std::sin(w * time);
   return {speed * even * std::sin(k * x), -speed * odd * std::cos(k * x),
-          density * gravity *
-              (decayed * even * std::cos(k * x) * std::cos(w * time) - z)};
+          density * gravity * (decayed * even * std::cos(k * x) * std::cos(w * time) - z)};
 }
 
 double StandingWave::energy() const {

@@ -25,8 +25,7 @@ WaveCurve::WaveCurve(Law law, double density, double specific_energy)
 }
 
 IsentropeState WaveCurve::expanded(double pressure) const {
-  return pressure > isentrope_.end().pressure ? isentrope_.at_pressure(pressure)
-                                              : isentrope_.end();
+  return pressure > isentrope_.end().pressure ? isentrope_.at_pressure(pressure) : isentrope_.end();
 }
 
 double WaveCurve::velocity(double pressure) const {
@@ -40,7 +39,9 @@ Wave WaveCurve::wave(double pressure) const {
   if (pressure > ahead_.pressure) {
     auto const [shock, u] =
         shock_to_pressure(law_, ahead_.density, ahead_.specific_energy, pressure);
-    return {WaveKind::shock, shock.shock_speed, shock.shock_speed,
+    return {WaveKind::shock,
+            shock.shock_speed,
+            shock.shock_speed,
             {shock.density, u, shock.pressure, shock.specific_energy}};
   }
   IsentropeState const at = expanded(pressure);
@@ -49,9 +50,8 @@ Wave WaveCurve::wave(double pressure) const {
 }
 
 FlowState WaveCurve::inside(double speed) const {
-  return flow_state(isentrope_.where([speed](IsentropeState const& at) {
-    return at.sound_speed - at.velocity_change - speed;
-  }));
+  return flow_state(isentrope_.where(
+      [speed](IsentropeState const& at) { return at.sound_speed - at.velocity_change - speed; }));
 }
 
 Wave in_frame(Wave wave, double velocity, bool mirror) {

@@ -18,10 +18,10 @@ struct BurnSpec {
   std::optional<double> detonation_velocity{};  // m/s
   std::optional<double> cj_volume{};
   double width_in_spacings = 1.5;
-  double delay = 0.0;                                          // s
-  std::vector<std::array<double, 3>> ignition_points{};        // m
+  double delay = 0.0;                                           // s
+  std::vector<std::array<double, 3>> ignition_points{};         // m
   std::optional<std::array<double, 3>> line_from{}, line_to{};  // m
-  std::optional<std::array<double, 3>> plane_point{};          // m
+  std::optional<std::array<double, 3>> plane_point{};           // m
   std::optional<std::array<double, 3>> plane_normal{};
 };
 

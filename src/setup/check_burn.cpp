@@ -16,8 +16,7 @@ void resolve(MaterialSpec& material) {
     burn.detonation_velocity = jwl->detonation_velocity;
   if (burn.detonation_velocity && burn.cj_volume) return;
   double const density = reference_density(material.eos);
-  Detonation const cj =
-      chapman_jouguet({material.eos, density, reference_energy(material.eos)});
+  Detonation const cj = chapman_jouguet({material.eos, density, reference_energy(material.eos)});
   if (!burn.detonation_velocity) burn.detonation_velocity = cj.speed;
   if (!burn.cj_volume) burn.cj_volume = density / cj.behind.density;
 }
@@ -30,8 +29,7 @@ void check_burn(MaterialSpec& material, std::string const& key, Source& source) 
   std::string const kind = key + "burn.kind";
   if (source.has_problem(key + "eos") || source.has_problem(key + "use")) return;
   if (!can_burn(material.eos)) {
-    source.report_value(kind,
-                        "needs products of an explosive, eos = \"jwl\" or \"ideal_gas\"");
+    source.report_value(kind, "needs products of an explosive, eos = \"jwl\" or \"ideal_gas\"");
     return;
   }
   bool const tried = source.has(key + "burn.ignition_points") ||

@@ -152,8 +152,8 @@ void add_linear(std::vector<Entry<MaterialSpec>>& entries) {
 
 // In the order of the list Eos.
 std::vector<std::string_view> law_names() {
-  return {Tait::name,          WaterPolynomial::name, Jwl::name,   IdealGas::name,
-          MieGrueneisen::name, UsUp::name,            Linear::name};
+  return {Tait::name, WaterPolynomial::name, Jwl::name, IdealGas::name, MieGrueneisen::name,
+          UsUp::name, Linear::name};
 }
 
 // The law of a material file, known before the file is read with this very table.
@@ -202,8 +202,8 @@ std::vector<Entry<MaterialSpec>> make_table() {
   add_jwl(table);
   add_ideal_gas(table);
   add_mie_grueneisen<MieGrueneisen>(table, "Grueneisen coefficient, the same at any density");
-  add_mie_grueneisen<UsUp>(table,
-                           "Grueneisen coefficient at the reference density; it falls as 1 / density");
+  add_mie_grueneisen<UsUp>(
+      table, "Grueneisen coefficient at the reference density; it falls as 1 / density");
   add_linear(table);
   add_burn_entries(table);
   return table;

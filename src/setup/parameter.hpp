@@ -33,13 +33,13 @@ enum class ValueType : std::uint8_t {
 };
 
 /// A value while it travels between file and Case: nothing, number, integer or index into the
-/// names, text, three components, list (of corners: x, y, x, y ...; of points: x, y, z, x ...), list
-/// of indices, list of texts. Always in SI.
+/// names, text, three components, list (of corners: x, y, x, y ...; of points: x, y, z, x ...),
+/// list of indices, list of texts. Always in SI.
 using Value = std::variant<std::monostate, double, int, std::string, std::array<double, 3>,
                            std::vector<double>, std::vector<int>, std::vector<std::string>>;
 
-/// Valid range of a number or of every component. NaN is never valid; infinity only on request: plus
-/// where there is a least value, else minus.
+/// Valid range of a number or of every component. NaN is never valid; infinity only on request:
+/// plus where there is a least value, else minus.
 struct Limits {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();

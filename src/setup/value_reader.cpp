@@ -212,7 +212,8 @@ class ValueReader {
       return wrong_kind(node, "a list of points, [[x, y], ...],");
     std::vector<double> values;
     for (auto const& item : *list)
-      if (auto const point = vector(item)) values.insert(values.end(), point->begin(), point->end());
+      if (auto const point = vector(item))
+        values.insert(values.end(), point->begin(), point->end());
     if (values.size() != 3 * list->size()) return std::nullopt;
     return values;
   }

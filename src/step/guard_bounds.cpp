@@ -30,8 +30,8 @@ void StateRange::include(Model const& model) {
     energy_max = any_ ? std::max(energy_max, energy[i]) : energy[i];
     auto const& burn = model.materials[m].burn;
     double const front = burn ? burn->law.detonation_velocity : 0.0;
-    signal_speed = std::max(signal_speed,
-                            std::sqrt(square_of(velocity, i)) + std::max(sound_speed[i], front));
+    signal_speed =
+        std::max(signal_speed, std::sqrt(square_of(velocity, i)) + std::max(sound_speed[i], front));
     if (first) {
       double potential = 0.0;
       for (std::size_t k = 0; k < static_cast<std::size_t>(model.dimension); ++k)

@@ -86,7 +86,7 @@ class ParticleStore {
   std::vector<MaterialId> material_;
   std::uint64_t next_id_ = 0;
   std::array<bool, field_count> used_{};  // optional fields that the particles have
-  std::vector<std::uint64_t> scratch_;  // for permute: one array of any type at a time
+  std::vector<std::uint64_t> scratch_;    // for permute: one array of any type at a time
 };
 
 }  // namespace moraine

@@ -19,8 +19,8 @@ namespace moraine {
 /// Source: Dobratz and Crawford, LLNL Explosives Handbook, UCRL-52997 (1985); Liu and Liu, Smoothed
 /// Particle Hydrodynamics (2003), chapter 8, where A = 3.712e11 Pa for TNT.
 /// Symbols: A, B [Pa], R1, R2, omega [-], rho_0 reference_density.
-/// Range: rho > 0. These are burnt products: detonation_velocity has no part in their pressure. It is
-/// the speed at which programmed burn (matter/burn/programmed_burn.hpp) makes them.
+/// Range: rho > 0. These are burnt products: detonation_velocity has no part in their pressure. It
+/// is the speed at which programmed burn (matter/burn/programmed_burn.hpp) makes them.
 struct Jwl {
   static constexpr char const* name = "jwl";
 

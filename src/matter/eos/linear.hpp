@@ -48,8 +48,7 @@ struct Linear {
   /// Density at pressure `p` [Pa]: the largest at p = p_min; NaN for p < p_min, and where no
   /// positive density has it.
   MORAINE_HD double density_at_pressure(double p, double e) const {
-    double const rho =
-        reference_density + (p - background_pressure) / sound_speed_squared(p, e);
+    double const rho = reference_density + (p - background_pressure) / sound_speed_squared(p, e);
     return p >= least_pressure && rho > 0.0 ? rho : std::nan("");
   }
 

@@ -21,8 +21,8 @@ namespace moraine {
 ///   p >= p_min
 ///
 /// Source: Liu and Liu, Smoothed Particle Hydrodynamics (2003), chapter 8; Libersky et al., J.
-/// Comput. Phys. 109 (1993) 67. p_H is the Hugoniot curve from the undisturbed state with e = 0, and
-/// the first three terms of that of a straight line U_s = C + S u_p (matter/eos/us_up.hpp).
+/// Comput. Phys. 109 (1993) 67. p_H is the Hugoniot curve from the undisturbed state with e = 0,
+/// and the first three terms of that of a straight line U_s = C + S u_p (matter/eos/us_up.hpp).
 /// Symbols: C reference_sound_speed, S hugoniot_slope, Gamma grueneisen_coefficient, p_min
 /// least_pressure. Gamma is constant, so that Gamma rho grows with the density.
 /// Range: rho > 0. c is continuous at mu = 0. Far beyond the compressions that shocks reach (mu of
@@ -62,8 +62,8 @@ struct MieGrueneisen {
     return p >= least_pressure ? density_without_floor(p, e) : std::nan("");
   }
 
-  /// Energy at density `rho` [kg/m^3] and pressure `p` [Pa]; NaN for p < p_min. The reference energy
-  /// where Gamma = 0, because every energy gives the same pressure.
+  /// Energy at density `rho` [kg/m^3] and pressure `p` [Pa]; NaN for p < p_min. The reference
+  /// energy where Gamma = 0, because every energy gives the same pressure.
   MORAINE_HD double energy_at_pressure(double rho, double p) const {
     if (!(p >= least_pressure)) return std::nan("");
     if (grueneisen_coefficient == 0.0) return reference_energy;
@@ -82,9 +82,9 @@ struct MieGrueneisen {
     double const gamma = grueneisen_coefficient;
     double const mu = rho / reference_density - 1.0;
     double const steeper = hugoniot_slope - 1.0;
-    double const square = mu > 0.0 ? 1.0 + 2.0 * steeper : 0.0;                   // b0 / a0
-    double const cube = mu > 0.0 ? steeper * (2.0 + 3.0 * steeper) : 0.0;         // c0 / a0
-    double const shock = stiffness() * mu * (1.0 + mu * (square + mu * cube));    // p_H
+    double const square = mu > 0.0 ? 1.0 + 2.0 * steeper : 0.0;                 // b0 / a0
+    double const cube = mu > 0.0 ? steeper * (2.0 + 3.0 * steeper) : 0.0;       // c0 / a0
+    double const shock = stiffness() * mu * (1.0 + mu * (square + mu * cube));  // p_H
     double const slope = stiffness() * (1.0 + mu * (2.0 * square + 3.0 * mu * cube));
     double const p = (1.0 - 0.5 * gamma * mu) * shock + gamma * rho * e;
     double const by_density =

@@ -58,15 +58,15 @@ struct UsUp {
 
   MORAINE_HD double sound_speed(double rho, double e) const { return respond(rho, e).sound_speed; }
 
-  /// Density at which material of energy `e` [J/kg] has pressure `p` [Pa]: the largest at p = p_min.
-  /// NaN for p < p_min and where the law has no such state.
+  /// Density at which material of energy `e` [J/kg] has pressure `p` [Pa]: the largest at p =
+  /// p_min. NaN for p < p_min and where the law has no such state.
   MORAINE_HD double density_at_pressure(double p, double e) const {
     return p >= least_pressure ? density_without_floor(p, e) : std::nan("");
   }
 
-  /// Energy at density `rho` [kg/m^3] and pressure `p` [Pa]; NaN for p < p_min and from the limiting
-  /// density on. The reference energy where Gamma_0 = 0, because every energy gives the same
-  /// pressure.
+  /// Energy at density `rho` [kg/m^3] and pressure `p` [Pa]; NaN for p < p_min and from the
+  /// limiting density on. The reference energy where Gamma_0 = 0, because every energy gives the
+  /// same pressure.
   MORAINE_HD double energy_at_pressure(double rho, double p) const {
     if (!(p >= least_pressure && rho < limiting_density())) return std::nan("");
     if (grueneisen_coefficient == 0.0) return reference_energy;
@@ -89,8 +89,8 @@ struct UsUp {
     double const expanded = reference_density / rho;  // d eta / d rho = rho_0 / rho^2
     if (eta < 0.0 && s > 0.0) {
       double const p = stiffness() * (rho / reference_density - 1.0) + heat;
-      return {p, stiffness() / reference_density +
-                     gamma * p * expanded * expanded / reference_density};
+      return {
+          p, stiffness() / reference_density + gamma * p * expanded * expanded / reference_density};
     }
     double const room = 1.0 - s * eta;
     if (!(room > 0.0))
@@ -103,15 +103,14 @@ struct UsUp {
     return {p, (by_eta + gamma * p) * expanded * expanded / reference_density};
   }
 
-  // Quadratic in eta: P (1 - s eta)^2 = rho_0 c_0^2 (eta - Gamma_0 eta^2 / 2), P = p - Gamma_0 rho_0
-  // e; the root that is 0 for P = 0.
+  // Quadratic in eta: P (1 - s eta)^2 = rho_0 c_0^2 (eta - Gamma_0 eta^2 / 2), P = p - Gamma_0
+  // rho_0 e; the root that is 0 for P = 0.
   MORAINE_HD double density_without_floor(double p, double e) const {
     double const a = stiffness();
     double const cold = p - grueneisen_coefficient * reference_density * e;
     if (cold < 0.0 && hugoniot_slope > 0.0)
       return cold > -a ? reference_density * (1.0 + cold / a) : std::nan("");
-    double const square =
-        a * a + 2.0 * cold * a * (2.0 * hugoniot_slope - grueneisen_coefficient);
+    double const square = a * a + 2.0 * cold * a * (2.0 * hugoniot_slope - grueneisen_coefficient);
     if (!(square >= 0.0)) return std::nan("");
     double const eta = 2.0 * cold / (2.0 * cold * hugoniot_slope + a + std::sqrt(square));
     return reference_density / (1.0 - eta);

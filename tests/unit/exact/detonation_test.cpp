@@ -81,7 +81,9 @@ TEST(TaylorWave, ConservesMassMomentumAndEnergy) {
 }
 
 TEST(Detonation, RefusesWhatCannotDetonate) {
-  EXPECT_EQ(message_of<std::invalid_argument>([] { chapman_jouguet({IdealGas{}, 1600.0, 0.0}); }),
+  EXPECT_EQ(message_of<std::invalid_argument>([] {
+              chapman_jouguet({IdealGas{}, 1600.0, 0.0});
+            }),
             "detonation: the products have no pressure at the solid's density");
   // A liquid without energy in its pressure has no products.
   EXPECT_NE(message_of<std::domain_error>([] {

@@ -6,8 +6,8 @@
 
 namespace moraine {
 
-/// The integral of `f` over consecutive intervals, inside of which it is smooth, estimated to 1e-11: what
-/// comes out is better by a few digits.
+/// The integral of `f` over consecutive intervals, inside of which it is smooth, estimated to
+/// 1e-11: what comes out is better by a few digits.
 template <class F>
 double integral(F const& f, std::initializer_list<double> edges) {
   using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;

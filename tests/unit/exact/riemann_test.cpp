@@ -206,8 +206,7 @@ TEST(RiemannProblem, WeakWavesAreSound) {
 TEST(RiemannProblem, IntoVacuum) {
   // A gas escapes with 2 c / (gamma - 1): Landau and Lifshitz, section 99.
   for (double const gamma : {1.05, 1.4, 3.0}) {
-    RiemannProblem const escape =
-        RiemannProblem::into_vacuum(gas_side({2.0, 10.0, 5.0}, gamma));
+    RiemannProblem const escape = RiemannProblem::into_vacuum(gas_side({2.0, 10.0, 5.0}, gamma));
     double const c = std::sqrt(gamma * 2.5);
     EXPECT_NEAR(escape.star_velocity(), 10.0 + 2.0 * c / (gamma - 1.0), 1e-10 * c / (gamma - 1.0));
     EXPECT_EQ(escape.star_pressure(), 0.0);
@@ -222,8 +221,7 @@ TEST(RiemannProblem, IntoVacuum) {
   }
   // A liquid keeps a surface: its density at pressure zero.
   Tait const law{};
-  RiemannProblem const jet =
-      RiemannProblem::into_vacuum({law, 1050.0, 0.0, law.reference_energy});
+  RiemannProblem const jet = RiemannProblem::into_vacuum({law, 1050.0, 0.0, law.reference_energy});
   EXPECT_FALSE(jet.right_wave().has_value());
   EXPECT_NEAR(jet.left_wave().behind.density, 1000.0, 1e-9);
   // c = c_0 (rho/rho_0)^3: the integral of c d(rho)/rho in closed form.

@@ -27,9 +27,8 @@ namespace {
 template <class Sample>
 void expect_rows(
     std::string const& name, std::vector<std::vector<double>> const& rows, double digits,
-    Sample const& sample, std::function<bool(double)> const& leave_out = [](double) {
-      return false;
-    }) {
+    Sample const& sample,
+    std::function<bool(double)> const& leave_out = [](double) { return false; }) {
   int compared = 0;
   double size_u = 0.0;
   for (auto const& row : rows) size_u = std::max(size_u, std::fabs(row[2]));
@@ -62,11 +61,10 @@ void expect_tube(std::string const& name, RiemannSide const& left, RiemannSide c
                  double time, double position, double digits) {
   RiemannProblem const solution(left, right);
   auto const ray = [&](double x) { return (x - position) / time; };
-  expect_rows(name, csv_numbers(shared_data(name)), digits,
-              [&](double x) { return solution.sample(ray(x)); },
-              [&](double x) {
-                return std::fabs(ray(x) - solution.star_velocity()) * time < 1e-9;
-              });
+  expect_rows(
+      name, csv_numbers(shared_data(name)), digits,
+      [&](double x) { return solution.sample(ray(x)); },
+      [&](double x) { return std::fabs(ray(x) - solution.star_velocity()) * time < 1e-9; });
 }
 
 TEST(SharedData, Sod) {
@@ -95,28 +93,29 @@ TEST(SharedData, WaterDrivesAir) {
 }
 
 TEST(SharedData, NohInThreeGeometries) {
-  for (auto const& [geometry, name] : {std::pair(FlowGeometry::planar, "planar"),
-                                       std::pair(FlowGeometry::cylindrical, "cyl"),
-                                       std::pair(FlowGeometry::spherical, "sph")}) {
+  for (auto const& [geometry, name] :
+       {std::pair(FlowGeometry::planar, "planar"), std::pair(FlowGeometry::cylindrical, "cyl"),
+        std::pair(FlowGeometry::spherical, "sph")}) {
     std::string const file = std::string("blast/noh_exact_") + name + "_t0.6.csv";
     MORAINE_NEED_SHARED_DATA(file);
     Noh const noh{geometry, 5.0 / 3.0, 1.0, 1.0};
-    expect_rows(file, csv_numbers(shared_data(file)), 1e-7, [&](double r) { return noh.sample(r, 0.6); });
+    expect_rows(file, csv_numbers(shared_data(file)), 1e-7,
+                [&](double r) { return noh.sample(r, 0.6); });
   }
 }
 
 // The table of the sphere was made with alpha = 0.851077, where 30-digit quadrature of the same
 // integral gives 0.851071855: energies in that ratio have their shocks at one place.
 TEST(SharedData, SedovInThreeGeometries) {
-  for (auto const& [geometry, energy] : {std::pair(FlowGeometry::planar, 0.0673185),
-                                         std::pair(FlowGeometry::cylindrical, 0.311357),
-                                         std::pair(FlowGeometry::spherical,
-                                                   0.851072 * 0.851071855 / 0.851077)}) {
+  for (auto const& [geometry, energy] :
+       {std::pair(FlowGeometry::planar, 0.0673185), std::pair(FlowGeometry::cylindrical, 0.311357),
+        std::pair(FlowGeometry::spherical, 0.851072 * 0.851071855 / 0.851077)}) {
     std::string const file =
         "blast/sedov_exact_j" + std::to_string(dimensions(geometry)) + "_g1.4_t1.csv";
     MORAINE_NEED_SHARED_DATA(file);
     Sedov const sedov({geometry, 1.4, 1.0, energy});
-    expect_rows(file, csv_numbers(shared_data(file)), 1e-6, [&](double r) { return sedov.sample(r, 1.0); });
+    expect_rows(file, csv_numbers(shared_data(file)), 1e-6,
+                [&](double r) { return sedov.sample(r, 1.0); });
   }
 }
 
@@ -140,8 +139,7 @@ TEST(SharedData, ChapmanJouguetStatesOfTwelveExplosives) {
   int compared = 0;
   for (auto const& row : csv_cells(shared_data("blast/jwl_parameters.csv"))) {
     Jwl const law = products(row);
-    Detonation const found =
-        chapman_jouguet({law, law.reference_density, law.reference_energy});
+    Detonation const found = chapman_jouguet({law, law.reference_density, law.reference_energy});
     auto const agree = [&](double value, std::size_t column) {
       double const expected = std::stod(row[column]);
       EXPECT_NEAR(value, expected, 1e-6 * expected) << row[0] << " column " << column;
@@ -160,15 +158,15 @@ Explosive tnt() {
   return {law, law.reference_density, 4.29e6};
 }
 
-// The tables end their rarefaction at -0.007 m/s instead of at rest (the first row of the self-similar
-// one), where the pressure is lower by rho c 0.007 m/s, 7e-6 of itself.
+// The tables end their rarefaction at -0.007 m/s instead of at rest (the first row of the
+// self-similar one), where the pressure is lower by rho c 0.007 m/s, 7e-6 of itself.
 constexpr double table_of_rest = 1e-5;
 
 TEST(SharedData, TaylorWaveOfTnt) {
   TaylorWave const wave(tnt());
-  for (auto const& [name, time] : {std::pair("blast/tnt_slab_exact_taylor_7us.csv", 7e-6),
-                                   std::pair("blast/tnt_slab_exact_taylor_end.csv",
-                                             0.1 / wave.detonation().speed)}) {
+  for (auto const& [name, time] :
+       {std::pair("blast/tnt_slab_exact_taylor_7us.csv", 7e-6),
+        std::pair("blast/tnt_slab_exact_taylor_end.csv", 0.1 / wave.detonation().speed)}) {
     MORAINE_NEED_SHARED_DATA(name);
     auto rows = csv_numbers(shared_data(name));  // x, pressure, density, velocity, energy
     for (auto& row : rows) row = {row[0], row[2], row[3], row[1], row[4]};
@@ -198,16 +196,15 @@ TEST(SharedData, KeyValuesOfTnt) {
   MORAINE_NEED_SHARED_DATA(name);
   TaylorWave const wave(tnt());
   auto const& [speed, behind, sound_speed] = wave.detonation();
-  std::map<std::string, double> const ours{
-      {"D_from_JWL_E0", speed},
-      {"Pcj_from_JWL_E0", behind.pressure},
-      {"rho_cj", behind.density},
-      {"u_cj", behind.velocity},
-      {"c_cj", sound_speed},
-      {"p_rest(wall plateau)", wave.rest().pressure},
-      {"rho_rest", wave.rest().density},
-      {"c_rest", wave.rest_speed()},
-      {"plateau_extent x/(D t)", wave.rest_speed() / speed}};
+  std::map<std::string, double> const ours{{"D_from_JWL_E0", speed},
+                                           {"Pcj_from_JWL_E0", behind.pressure},
+                                           {"rho_cj", behind.density},
+                                           {"u_cj", behind.velocity},
+                                           {"c_cj", sound_speed},
+                                           {"p_rest(wall plateau)", wave.rest().pressure},
+                                           {"rho_rest", wave.rest().density},
+                                           {"c_rest", wave.rest_speed()},
+                                           {"plateau_extent x/(D t)", wave.rest_speed() / speed}};
   std::size_t compared = 0;
   for (auto const& row : csv_cells(shared_data(name))) {
     auto const found = ours.find(row[0]);
@@ -219,8 +216,8 @@ TEST(SharedData, KeyValuesOfTnt) {
 }
 
 // The water of the table lies on its Hugoniot; its products do not lie on their isentrope: expanded
-// from the C-J state to 14.52828 GPa in ten million steps of first order they move at 2487.6 m/s, the
-// table says 2485.3. Hence 1e-3.
+// from the C-J state to 14.52828 GPa in ten million steps of first order they move at 2487.6 m/s,
+// the table says 2485.3. Hence 1e-3.
 TEST(SharedData, DetonationOfTntDrivesWater) {
   std::string const name = "blast/tnt_water_interface_match.csv";
   MORAINE_NEED_SHARED_DATA(name);

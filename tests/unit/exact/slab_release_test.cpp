@@ -33,9 +33,9 @@ TEST(SlabRelease, ConservesInVacuum) {
   auto const all = [&](auto const& density) {
     // Most of the distance holds nearly nothing: the pieces halve towards the head.
     double const d = front - head;
-    return integral([&](double x) { return density(slab.sample(x, t)); },
-                    {0.0, head, head + 0.01 * d, head + 0.1 * d, head + 0.3 * d, head + 0.6 * d,
-                     front});
+    return integral(
+        [&](double x) { return density(slab.sample(x, t)); },
+        {0.0, head, head + 0.01 * d, head + 0.1 * d, head + 0.3 * d, head + 0.6 * d, front});
   };
   double const mass = 1630.0 * thickness;
   EXPECT_NEAR(all([](FlowState const& s) { return s.density; }), mass, 1e-10 * mass);
@@ -64,8 +64,9 @@ TEST(SlabRelease, PushesWater) {
 
 TEST(SlabRelease, RefusesTimesAfterTheMeeting) {
   SlabRelease const slab(tnt(), std::nullopt, 0.1);
-  EXPECT_EQ(message_of<std::invalid_argument>([&] { slab.sample(0.0, 1.01 * slab.meeting_time()); }),
-            "slab release: the time is not before the wave meets the wall");
+  EXPECT_EQ(
+      message_of<std::invalid_argument>([&] { slab.sample(0.0, 1.01 * slab.meeting_time()); }),
+      "slab release: the time is not before the wave meets the wall");
   EXPECT_EQ(message_of<std::invalid_argument>([] { SlabRelease(tnt(), std::nullopt, 0.0); }),
             "slab release: the thickness must be positive");
 }

@@ -112,13 +112,14 @@ std::vector<CheckResult> programmed(Case const& slab, TaylorWave const& exact,
   Detonated const& finest = runs.back();
   Detonation const& cj = exact.detonation();
   double const peak = cj.behind.pressure;
-  std::string const at = fmt::format("{:g} mm, t = {:g} us", 1e3 * spacings.back(),
-                                     1e6 * slab.time.end);
+  std::string const at =
+      fmt::format("{:g} mm, t = {:g} us", 1e3 * spacings.back(), 1e6 * slab.time.end);
   std::vector<CheckResult> results{
       compare("tnt-slab: speed of the front", finest.speed, cj.speed, 0.01 * cj.speed, "m/s",
               "half the C-J pressure, from 3 to 9 cm; " + at),
       compare("tnt-slab: pressure at rest", 1e-9 * finest.rest, 1e-9 * exact.rest().pressure,
-              0.03e-9 * exact.rest().pressure, "GPa", "between the wall and the Taylor wave; " + at),
+              0.03e-9 * exact.rest().pressure, "GPa",
+              "between the wall and the Taylor wave; " + at),
       at_most("tnt-slab: density", finest.errors.density, 0.02, "-", "L1; " + at),
       compare("tnt-slab: peak", 1e-9 * finest.peak, 1e-9 * peak, 0.1e-9 * peak, "GPa",
               "C-J pressure, the edge of a cusp; " + at),
@@ -140,8 +141,8 @@ std::vector<CheckResult> instantaneous(Case slab, Jwl const& tnt, double spacing
                           std::nullopt, thickness);
   Simulation simulation(build_model(slab));
   while (simulation.running()) simulation.advance();
-  Errors const errors = errors_of(
-      simulation, [&](double x) { return exact.sample(x, simulation.time()); });
+  Errors const errors =
+      errors_of(simulation, [&](double x) { return exact.sample(x, simulation.time()); });
   std::string const at =
       fmt::format("L1, {:g} mm, t = {:g} us", 1e3 * spacing, 1e6 * simulation.time());
   return {at_most("tnt-slab: release, density", errors.density, 0.03, "-", at),
