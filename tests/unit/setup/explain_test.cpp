@@ -121,8 +121,8 @@ TEST(Schema, SaysWhatTheTableSays) {
   ASSERT_NE(entry, all.end());
   EXPECT_EQ(factor.at("anyOf")[0].at("minimum"), (*entry)->limits.min);
   EXPECT_EQ(factor.at("anyOf")[0].at("maximum"), (*entry)->limits.max);
-  EXPECT_EQ(resolution.at("properties").at("kernel").at("enum"),
-            nlohmann::json({"cubic_spline", "wendland_c2"}));
+  EXPECT_EQ(resolution.at("properties").at("lattice").at("enum"),
+            nlohmann::json({"square", "hexagonal"}));
 }
 
 }  // namespace
