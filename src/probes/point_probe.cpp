@@ -25,15 +25,19 @@ Sums combine(Sums a, Sums const& b) {
 }
 
 /// Adds particle i, seen from x, to the sums; sign: of its velocity along each axis.
-void include(Sums& sums, ParticleStore const& store, std::size_t i, KernelName kernel, double h,
+void include(Sums& sums, ParticleStore const& store, std::size_t i, KernelName kernel, double all,
              std::array<double, 3> const& x, std::array<double, 3> const& sign = {1.0, 1.0, 1.0}) {
+  bool const varies = store.has(Field::smoothing_length);
+  double const h = varies ? store.scalar(Field::smoothing_length)[i] : all;
   double distance2 = 0.0;
   for (int axis = 0; axis < store.dimension(); ++axis) {
     double const d = x[static_cast<std::size_t>(axis)] - store.component(Field::position, axis)[i];
     distance2 += d * d;
   }
   if (distance2 >= kernel_support * kernel_support * h * h) return;
-  double const w = kernel_shape(kernel, store.dimension(), std::sqrt(distance2) / h) *
+  // What is common to all weights drops out: where all have one h, so does h^d.
+  double const spread = varies ? std::pow(all / h, store.dimension()) : 1.0;
+  double const w = spread * kernel_shape(kernel, store.dimension(), std::sqrt(distance2) / h) *
                    store.scalar(Field::mass)[i] / store.scalar(Field::density)[i];
   sums.weight += w;
   sums.state.pressure += w * store.scalar(Field::pressure)[i];
@@ -71,7 +75,7 @@ PointState probe_point(ParticleStore const& store, KernelName kernel, double h,
 PointState probe_point(ParticleStore const& store, Search const& search, KernelName kernel,
                        double h, std::array<double, 3> const& x) {
   Sums sums;
-  search.for_each_fluid_near(x, kernel_support * h,
+  search.for_each_fluid_near(x, std::max(kernel_support * h, search.largest_support()),
                              [&](std::size_t i, Search::Viewpoint const& from) {
                                include(sums, store, i, kernel, h, from.place, from.sign);
                              });

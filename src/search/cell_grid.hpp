@@ -59,6 +59,7 @@ struct CellPoints {
   CellGrid const& grid;
   UnitSpans x;                             // padded by `padding` readable values beyond the end
   std::span<std::uint32_t const> index{};  // of each entry, padded; empty: entry k is point k
+  std::span<float const> support{};        // of each entry, padded [units]; empty: not told
 
   static constexpr std::size_t padding = 16;
 

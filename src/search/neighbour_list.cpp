@@ -71,11 +71,31 @@ std::size_t NeighbourList::bytes() const {
 }
 
 template <int D>
-NeighbourFinder<D>::NeighbourFinder(CellPoints const& points, double radius)
+NeighbourFinder<D>::NeighbourFinder(CellPoints const& points, double radius, PairRadius of_pair,
+                                    float skin)
     : points_(points),
       radius_(radius),
       // Squares are compared in single precision; the margin covers its rounding.
-      radius2_(static_cast<float>(radius * radius * (1.0 + 1e-6))) {}
+      radius2_(static_cast<float>(radius * radius * (1.0 + 1e-6))),
+      of_pair_(of_pair),
+      skin_(skin) {}
+
+/// Squares of the radii of pairs with the next candidates.
+template <int D>
+template <class Float>
+Float NeighbourFinder<D>::radius_squared(float support, float const* supports) const {
+  if (of_pair_ == PairRadius::same) return Float(radius2_);
+  Float radius(support + skin_);
+  if (of_pair_ != PairRadius::of_self) {
+    Float const other = Float::load(supports);
+    if (of_pair_ == PairRadius::of_other) radius = other + Float(skin_);
+    if (of_pair_ == PairRadius::mean)
+      radius = Float(0.5F) * (Float(support) + other) + Float(skin_);
+    if (of_pair_ == PairRadius::larger) radius = maximum(Float(support), other) + Float(skin_);
+  }
+  // The margin covers the rounding of single precision.
+  return radius * radius * Float(1.0F + 2e-6F);
+}
 
 template <int D>
 void NeighbourFinder<D>::gather(std::array<int, 3> const& cell, CandidateCache& cache) const {
@@ -115,6 +135,7 @@ void NeighbourFinder<D>::gather(std::array<int, 3> const& cell, CandidateCache& 
       if (cache.index.size() < needed) {
         cache.index.resize(2 * needed);
         for (auto& axis : cache.x) axis.resize(2 * needed);
+        if (asks_supports()) cache.support.resize(2 * needed);
       }
       std::uint32_t* const index = cache.index.data() + cache.count;
       if (points_.index.empty())
@@ -124,6 +145,9 @@ void NeighbourFinder<D>::gather(std::array<int, 3> const& cell, CandidateCache& 
       for (std::size_t axis = 0; axis < D; ++axis)
         copy_in_vectors(points_.x[axis].data() + begin, end - begin,
                         cache.x[axis].data() + cache.count);
+      if (asks_supports())
+        std::copy_n(points_.support.data() + begin, end - begin,
+                    cache.support.data() + cache.count);
       cache.count += end - begin;
     }
   }
@@ -131,7 +155,7 @@ void NeighbourFinder<D>::gather(std::array<int, 3> const& cell, CandidateCache& 
 
 template <int D>
 void NeighbourFinder<D>::operator()(UnitPoint const& x, std::uint32_t self, CandidateCache& cache,
-                                    IndexBuffer& buffer) const {
+                                    IndexBuffer& buffer, float support) const {
   constexpr std::size_t width = widest_float < 8 ? 4 : (D == 3 ? widest_float : 8);
   using Float = Simd<float, width>;
   using Int = Simd<std::int32_t, width>;
@@ -149,7 +173,7 @@ void NeighbourFinder<D>::operator()(UnitPoint const& x, std::uint32_t self, Cand
       Float const difference = convert<float>(Int(x[axis]) - Int::load(cache.x[axis].data() + k));
       distance2 += difference * difference;
     }
-    unsigned mask = bits_less(distance2, Float(radius2_));
+    unsigned mask = bits_less(distance2, radius_squared<Float>(support, cache.support.data() + k));
     if (cache.count - k < width) mask &= (1u << (cache.count - k)) - 1u;
     mask &= ~bits_equal<width>(cache.index.data() + k, self);
     found +=

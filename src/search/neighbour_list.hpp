@@ -36,12 +36,15 @@ class IndexBuffer {
 struct CandidateCache {
   std::array<std::vector<Units>, 3> x;  // [axis][candidate], padded to whole vectors
   std::vector<std::uint32_t> index;
+  std::vector<float> support;  // units, where radii of pairs depend on it
   std::size_t count = 0;
   std::array<int, 3> cell{};
   bool valid = false;
 
   std::size_t bytes() const {
-    return (x[0].capacity() + x[1].capacity() + x[2].capacity() + index.capacity()) * 4;
+    return (x[0].capacity() + x[1].capacity() + x[2].capacity() + index.capacity() +
+            support.capacity()) *
+           4;
   }
 };
 
@@ -108,6 +111,9 @@ class NeighbourList {
   std::size_t lanes_ = 8;
 };
 
+/// How near a pair must be: within one radius, or within that of the supports of the two.
+enum class PairRadius : std::uint8_t { same, of_self, of_other, mean, larger };
+
 /// Finds the neighbours of points among points sorted by cell.
 ///
 /// Points of one cell share their candidates: these are copied side by side once per cell, and each
@@ -115,20 +121,28 @@ class NeighbourList {
 template <int D>
 class NeighbourFinder {
  public:
-  /// radius in units.
-  NeighbourFinder(CellPoints const& points, double radius);
+  /// `radius` [units]: no pair may be farther apart. `skin` [units] is added to the supports.
+  explicit NeighbourFinder(CellPoints const& points, double radius,
+                           PairRadius of_pair = PairRadius::same, float skin = 0.0F);
 
-  /// Appends the indices of all points within the radius of x, except `self`. Quick when x lies in
-  /// the same cell as in the call before with this cache.
+  /// Appends the indices of all points within the radius of x, except `self`, whose support is
+  /// `support` [units]. Quick when x lies in the same cell as in the call before with this cache.
   void operator()(UnitPoint const& x, std::uint32_t self, CandidateCache& cache,
-                  IndexBuffer& buffer) const;
+                  IndexBuffer& buffer, float support = 0.0F) const;
 
  private:
+  bool asks_supports() const {
+    return of_pair_ != PairRadius::same && of_pair_ != PairRadius::of_self;
+  }
   void gather(std::array<int, 3> const& cell, CandidateCache& cache) const;
+  template <class Float>
+  Float radius_squared(float support, float const* supports) const;
 
   CellPoints points_;
   double radius_;
   float radius2_;
+  PairRadius of_pair_;
+  float skin_;
 };
 
 template <class Collect>

@@ -35,8 +35,8 @@ UnitSpans Search::Points::spans() const {
 }
 
 CellPoints Search::Points::in_cells() const {
-  if (images.empty()) return {grid, spans()};
-  return {grid, {mixed_x[0], mixed_x[1], mixed_x[2]}, mixed_index};
+  if (images.empty()) return {grid, spans(), {}, support};
+  return {grid, {mixed_x[0], mixed_x[1], mixed_x[2]}, mixed_index, mixed_support};
 }
 
 void Search::read_units(ParticleStore const& store, Kind kind) {
@@ -64,11 +64,40 @@ void Search::read_units(ParticleStore const& store, Kind kind) {
   }
 }
 
+void Search::read_supports(ParticleStore const& store) {
+  if (!varies()) return;
+  auto const h = store.scalar(Field::smoothing_length);
+  auto& support = points(Kind::fluid).support;
+  support.resize(h.size() + CellPoints::padding);
+  double const factor = settings_.supports / settings_.fixed_point.scale;
+  for_each_block(h.size(), loop_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) support[i] = static_cast<float>(factor * h[i]);
+  });
+}
+
+/// By how much a support has grown most since the lists were made [units].
+double Search::growth_of_supports() const {
+  if (!varies()) return 0.0;
+  auto const& support = points(Kind::fluid).support;
+  auto const in_block = [&](std::size_t begin, std::size_t end) {
+    float most = 0.0F;
+    for (std::size_t i = begin; i < end; ++i)
+      most = std::max(most, support[i] - listed_support_[i]);
+    return most;
+  };
+  return reduce_blocks(listed_support_.size(), 0.0F, in_block,
+                       [](float a, float b) { return std::max(a, b); });
+}
+
 bool Search::lists_hold(ParticleStore const& store) {
   if (!walls_sorted_ || store.range(Kind::fluid).size() != fluid_fluid_.size()) return false;
   read_units(store, Kind::fluid);
   if (settings_.walls_move) read_units(store, Kind::wall);
-  auto const now = displacement_.largest(moving_points());
+  read_supports(store);
+  auto now = displacement_.largest(moving_points());
+  double const growth = growth_of_supports();
+  now.fluid += growth;
+  now.wall += growth;
   ++steps_since_rebuild_;
   double const scale = settings_.fixed_point.scale;
   if (std::isfinite(now.fluid)) seen_ = now;
@@ -161,6 +190,14 @@ std::span<std::uint32_t const> Search::cell_order(ParticleStore const& store, Ki
 void Search::sort(ParticleStore& store, Kind kind, double reach) {
   store.permute(kind, cell_order(store, kind, reach));
   read_units(store, kind);
+  if (kind == Kind::fluid) list_supports(store);
+}
+
+void Search::list_supports(ParticleStore const& store) {
+  if (!varies()) return;
+  read_supports(store);
+  auto const& support = points(Kind::fluid).support;
+  listed_support_.assign(support.begin(), support.end() - CellPoints::padding);
 }
 
 /// Makes the images of a kind and sorts them in among its owned points.
@@ -178,6 +215,12 @@ void Search::mix_images(ParticleStore const& store, Kind kind) {
                 key, p.images);
   auto const order =
       sort_by_cells_(GridShape(p.grid.shape), settings_.dimension, {x[0], x[1], x[2]}, key, p.grid);
+  if (!p.support.empty()) {
+    p.mixed_support.resize(order.size() + CellPoints::padding);
+    for (std::size_t k = 0; k < order.size(); ++k)
+      p.mixed_support[k] =
+          p.support[order[k] < p.owned ? order[k] : p.images[order[k] - p.owned].source];
+  }
   p.mixed_index.assign(order.begin(), order.end());
   p.mixed_index.resize(order.size() + CellPoints::padding);
   for (std::size_t axis = 0; axis < dimension; ++axis) {
@@ -187,7 +230,9 @@ void Search::mix_images(ParticleStore const& store, Kind kind) {
 }
 
 double Search::reach() const {
-  return (settings_.support + std::max(skins_.fluid, skins_.wall)) / settings_.fixed_point.scale;
+  double const support =
+      varies() ? largest_support_ : settings_.support / settings_.fixed_point.scale;
+  return support + std::max(skins_.fluid, skins_.wall) / settings_.fixed_point.scale;
 }
 
 void Search::rebuild(ParticleStore& store) {
@@ -196,6 +241,7 @@ void Search::rebuild(ParticleStore& store) {
     bring_back(store, Kind::fluid);
     if (settings_.walls_move) bring_back(store, Kind::wall);
   }
+  find_largest_support(store);
   if (!walls_sorted_ || settings_.walls_move) {
     wall_reach_ = reach();
     sort_walls(store);
@@ -205,6 +251,14 @@ void Search::rebuild(ParticleStore& store) {
   make_lists(store);
   steps_since_rebuild_ = 0;
   ++rebuilds_;
+}
+
+void Search::find_largest_support(ParticleStore const& store) {
+  if (!varies()) return;
+  double largest = 0.0;
+  for (double const h : store.scalar(Field::smoothing_length)) largest = std::max(largest, h);
+  // A hair more than its rounding to single precision.
+  largest_support_ = largest * settings_.supports / settings_.fixed_point.scale * (1.0 + 1e-6);
 }
 
 /// Walls at rest are sorted once; what that took is given back.
@@ -238,8 +292,17 @@ void Search::collect_neighbours() {
   Points const& fluid = points(Kind::fluid);
   Points const& wall = points(Kind::wall);
   double const scale = settings_.fixed_point.scale;
-  double const fluid_radius = (settings_.support + skins_.fluid) / scale;
-  double const wall_radius = (settings_.support + skins_.wall) / scale;
+  double const support = varies() ? largest_support_ : settings_.support / scale;
+  double const fluid_radius = support + skins_.fluid / scale;
+  double const wall_radius = support + skins_.wall / scale;
+  PairRadius const of_fluid =
+      !varies() ? PairRadius::same
+                : (settings_.larger_of_two ? PairRadius::larger : PairRadius::mean);
+  PairRadius const of_self = varies() ? PairRadius::of_self : PairRadius::same;
+  PairRadius const of_other = varies() ? PairRadius::of_other : PairRadius::same;
+  // What the radii of single pairs lack beside those of the finder.
+  auto const own = [&](std::size_t i) { return varies() ? fluid.support[i] : 0.0F; };
+  auto const skin = [&](double metres) { return static_cast<float>(metres / scale); };
   constexpr std::uint32_t nobody = 0xFFFFFFFFu;
   constexpr std::size_t lanes = NeighbourList::lanes(D);
   bool const unsorted = settings_.sides.any();  // images stand among the owned points
@@ -251,19 +314,20 @@ void Search::collect_neighbours() {
   std::size_t const fluids = fluid.owned;
   std::size_t const walls = wall.owned;
 
-  NeighbourFinder<D> const near_fluid(fluid.in_cells(), fluid_radius);
-  fluid_fluid_.build(fluids, lanes, unsorted,
-                     [&](std::size_t i, CandidateCache& cache, IndexBuffer& buffer) {
-                       near_fluid(at(fluid, i), static_cast<std::uint32_t>(i), cache, buffer);
-                     });
-  NeighbourFinder<D> const near_wall(wall.in_cells(), wall_radius);
+  NeighbourFinder<D> const near_fluid(fluid.in_cells(), fluid_radius, of_fluid, skin(skins_.fluid));
+  fluid_fluid_.build(
+      fluids, lanes, unsorted, [&](std::size_t i, CandidateCache& cache, IndexBuffer& buffer) {
+        near_fluid(at(fluid, i), static_cast<std::uint32_t>(i), cache, buffer, own(i));
+      });
+  NeighbourFinder<D> const near_wall(wall.in_cells(), wall_radius, of_self, skin(skins_.wall));
   fluid_wall_.build(fluids, lanes, unsorted,
                     [&](std::size_t i, CandidateCache& cache, IndexBuffer& buffer) {
                       UnitPoint const x = at(fluid, i);
                       if (walls > 0 && displacement_.near_wall(x))
-                        near_wall(x, nobody, cache, buffer);
+                        near_wall(x, nobody, cache, buffer, own(i));
                     });
-  NeighbourFinder<D> const wall_near_fluid(fluid.in_cells(), wall_radius);
+  NeighbourFinder<D> const wall_near_fluid(fluid.in_cells(), wall_radius, of_other,
+                                           skin(skins_.wall));
   wall_fluid_.build(walls, lanes, unsorted,
                     [&](std::size_t i, CandidateCache& cache, IndexBuffer& buffer) {
                       UnitPoint const x = at(wall, i);
@@ -277,10 +341,12 @@ void Search::collect_neighbours() {
 std::size_t Search::bytes() const {
   std::size_t sum = mixing_.key.capacity() * sizeof(std::uint64_t) + fluid_fluid_.bytes() +
                     fluid_wall_.bytes() + wall_fluid_.bytes() + displacement_.bytes() +
-                    sort_by_cells_.bytes() + wet_walls_.capacity() * sizeof(std::uint32_t);
+                    sort_by_cells_.bytes() + wet_walls_.capacity() * sizeof(std::uint32_t) +
+                    listed_support_.capacity() * sizeof(float);
   for (auto const& axis : mixing_.x) sum += axis.capacity() * sizeof(Units);
   for (Points const& p : points_) {
     sum += p.grid.bytes() + p.images.capacity() * sizeof(Image) +
+           (p.support.capacity() + p.mixed_support.capacity()) * sizeof(float) +
            p.mixed_index.capacity() * sizeof(std::uint32_t);
     for (auto const* arrays : {&p.x, &p.mixed_x})
       for (auto const& axis : *arrays) sum += axis.capacity() * sizeof(Units);

@@ -16,10 +16,14 @@
 
 namespace moraine {
 
-/// What the search must find: all pairs closer than `support` [m].
+/// What the search must find: all pairs closer than `support` [m]. Where supports vary, particle i
+/// has its own, `supports` times its smoothing length, and a pair that of its mean, or the larger
+/// one. A pair with a wall has that of the fluid particle.
 struct SearchSettings {
   int dimension = 3;
-  double support = 0.0;  // m
+  double support = 0.0;   // m; where supports vary, about
+  double supports = 0.0;  // support by smoothing length; 0: all have `support`
+  bool larger_of_two = false;
   FixedPoint fixed_point;
   DomainSides sides;
   bool walls_move = false;
@@ -84,6 +88,12 @@ class Search {
   std::vector<Image> const& images(Kind kind) const { return points(kind).images; }
   SearchSettings const& settings() const { return settings_; }
   Skins const& skins() const { return skins_; }
+  /// The largest support while the lists hold [m].
+  double largest_support() const {
+    return varies() ? largest_support_ * settings_.fixed_point.scale +
+                          std::max(skins_.fluid, skins_.wall)
+                    : settings_.support;
+  }
   std::uint64_t rebuilds() const { return rebuilds_; }
   std::size_t bytes() const;
 
@@ -97,6 +107,9 @@ class Search {
     std::vector<Image> images;
     std::array<std::vector<Units>, 3> mixed_x;
     std::vector<std::uint32_t> mixed_index;
+    // Where supports vary: of the owned points, and of owned points and images in cell order.
+    std::vector<float> support;  // units
+    std::vector<float> mixed_support;
 
     UnitSpans spans() const;
     CellPoints in_cells() const;
@@ -104,13 +117,19 @@ class Search {
   Points const& points(Kind kind) const { return points_[static_cast<std::size_t>(kind)]; }
   Points& points(Kind kind) { return points_[static_cast<std::size_t>(kind)]; }
 
+  bool varies() const { return settings_.supports > 0.0; }
   void read_units(ParticleStore const& store, Kind kind);
+  void read_supports(ParticleStore const& store);
+  void find_largest_support(ParticleStore const& store);
+  void list_supports(ParticleStore const& store);
+  double growth_of_supports() const;
   void bring_back(ParticleStore& store, Kind kind) const;
   double reach() const;  // units, of the lists
   GridShape shape_around(Kind kind, double reach) const;
   std::span<std::uint32_t const> cell_order(ParticleStore const& store, Kind kind, double reach);
   void sort(ParticleStore& store, Kind kind, double reach);
   void exchange_reference(Archive& archive, ParticleStore const& store, Kind kind);
+  void exchange_supports(Archive& archive, ParticleStore const& store);
   void expect_order(ParticleStore const& store, Kind kind, double reach);
   void sort_walls(ParticleStore& store);
   MovingPoints moving_points() const;
@@ -122,6 +141,8 @@ class Search {
 
   SearchSettings settings_;
   std::array<Points, kind_count> points_;
+  std::vector<float> listed_support_;  // units, of the fluid when the lists were made
+  double largest_support_ = 0.0;       // units, of those
   NeighbourList fluid_fluid_, fluid_wall_, wall_fluid_;
   DisplacementBound displacement_;
   DisplacementBound::Largest seen_;

@@ -19,6 +19,7 @@ void Search::exchange(Archive& archive, ParticleStore& store) {
   if (archive.restoring()) points(Kind::wall) = {};
   exchange_reference(archive, store, Kind::fluid);
   if (settings_.walls_move) exchange_reference(archive, store, Kind::wall);
+  if (varies()) exchange_supports(archive, store);
   if (!archive.restoring()) return;
   walls_sorted_ = true;
   if (store.range(Kind::wall).size() > 0) {
@@ -28,6 +29,7 @@ void Search::exchange(Archive& archive, ParticleStore& store) {
   expect_order(store, Kind::fluid, reach());
   make_lists(store);
   read_units(store, Kind::fluid);
+  read_supports(store);
   if (settings_.walls_move) read_units(store, Kind::wall);
   displacement_.largest(moving_points());
 }
@@ -47,6 +49,20 @@ void Search::exchange_reference(Archive& archive, ParticleStore const& store, Ki
     p.owned = store.range(kind).size();
     p.x[axis] = std::move(units);
   }
+}
+
+/// Saves or restores the supports that the lists were made for.
+void Search::exchange_supports(Archive& archive, ParticleStore const& store) {
+  archive.number("search/largest_support", largest_support_);
+  std::vector<double> listed(listed_support_.begin(), listed_support_.end());
+  archive.array("search/listed_supports", "", listed);
+  if (!archive.restoring()) return;
+  if (listed.size() != store.range(Kind::fluid).size())
+    throw std::runtime_error("search and particles do not belong together");
+  listed_support_.assign(listed.begin(), listed.end());
+  auto& support = points(Kind::fluid).support;
+  support = listed_support_;
+  support.resize(support.size() + CellPoints::padding);
 }
 
 /// Makes the grid of points that are in cell order already.

@@ -29,7 +29,8 @@ constexpr std::array bytes_per_particle{300.0, 380.0, 510.0};
 constexpr std::array checkpoint_bytes_per_particle{94.0, 122.0, 151.0};
 
 double wall_particles(Case const& c, WallSpec const& wall) {
-  double const layers = std::ceil(kernel_support * c.numerics.smoothing_factor - 1e-9);
+  double const layers =
+      std::ceil(kernel_support * c.numerics.largest_smoothing_length() / c.numerics.spacing - 1e-9);
   auto const axes = static_cast<std::size_t>(c.dimension);
   double sum = 0.0;
   for (std::size_t axis = 0; axis < axes; ++axis) {

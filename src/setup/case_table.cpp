@@ -65,6 +65,36 @@ void add_space(std::vector<Entry<Case>>& table) {
        .meaning = "acceleration of every particle, constant in space and time"}));
 }
 
+void add_smoothing(std::vector<Entry<Case>>& table) {
+  constexpr auto smoothing = &Numerics::smoothing;
+  table.push_back(member<Case, numerics, smoothing, &Smoothing::mode>(
+      {.key = "resolution.smoothing.mode",
+       .type = ValueType::choice,
+       .preset = static_cast<int>(SmoothingMode::constant),
+       .names = {"constant", "rate", "density"},
+       .meaning = "how the smoothing length of a particle follows its density: not at all, by the "
+                  "rate of density, or as smoothing_factor (mass / density)^(1/dimension)",
+       .source = "Benz (1990); Price, J. Comput. Phys. 231 (2012) 759, eq. 10"}));
+  table.push_back(member<Case, numerics, smoothing, &Smoothing::of_pair>(
+      {.key = "resolution.smoothing.of_pair",
+       .type = ValueType::choice,
+       .preset = static_cast<int>(PairSmoothing::arithmetic),
+       .names = {"arithmetic", "geometric", "largest", "smallest"},
+       .meaning = "mean of two smoothing lengths that a pair has, where they vary",
+       .source = "Liu and Liu (2003), section 4.4"}));
+  table.push_back(member<Case, numerics, smoothing, &Smoothing::least>(
+      {.key = "resolution.smoothing.least",
+       .preset = 0.5,
+       .limits = Limits::between(0.1, 1.0),
+       .meaning = "lower bound of a smoothing length that varies, divided by smoothing_factor "
+                  "spacing"}));
+  table.push_back(member<Case, numerics, smoothing, &Smoothing::most>(
+      {.key = "resolution.smoothing.most",
+       .preset = 2.0,
+       .limits = Limits::between(1.0, 8.0),
+       .meaning = "upper bound, likewise; walls are as thick as the support at this bound"}));
+}
+
 void add_resolution(std::vector<Entry<Case>>& table) {
   table.push_back(member<Case, numerics, &Numerics::spacing>(
       {.key = "resolution.spacing",
@@ -93,6 +123,7 @@ void add_resolution(std::vector<Entry<Case>>& table) {
        .names = kernel_names(),
        .meaning = "kernel function; the support of all is 2 smoothing lengths",
        .source = "Wendland, Adv. Comput. Math. 4 (1995) 389"}));
+  add_smoothing(table);
 }
 
 void add_numerics(std::vector<Entry<Case>>& table) {

@@ -107,7 +107,7 @@ class StartCheck {
   // beyond it.
   bool in_wall(Point const& place) const {
     double const depth = 0.25 * case_.numerics.spacing;
-    double const thickness = kernel_support * case_.numerics.smoothing_length();
+    double const thickness = kernel_support * case_.numerics.largest_smoothing_length();
     auto const any = [&](WallForm form, double growth) {
       return std::any_of(case_.walls.begin(), case_.walls.end(), [&](WallSpec const& wall) {
         return wall.form == form && lies_in(wall, place, case_.dimension, growth);

@@ -36,7 +36,8 @@ BoxWall box_wall(Case const& c, WallSpec const& spec) {
 }
 
 int layers_of(Case const& c) {
-  return static_cast<int>(std::ceil(kernel_support * c.numerics.smoothing_factor - 1e-9));
+  return static_cast<int>(std::ceil(
+      kernel_support * c.numerics.largest_smoothing_length() / c.numerics.spacing - 1e-9));
 }
 
 /// The place of the wall's faces that is nearest to a dummy; of several the one on its own face.

@@ -59,9 +59,11 @@ void Simulation::kick_and_drift() {
   ParticleStore& store = model_.particles;
   std::size_t const count = store.range(Kind::fluid).size();
   double const dt = vote_.time_step;
-  double const h = model_.numerics.smoothing_length();
-  double const fastest2 = (h / dt) * (h / dt);
+  SmoothingLengths const h(model_);
   Components const velocity = components_of(store, Field::velocity);
+  auto const far = [&](std::size_t i) {
+    return !(dt * dt * square_of(velocity, i) <= h(i) * h(i));
+  };
   auto const advance = [&](std::size_t begin, std::size_t end) {
     for (int axis = 0; axis < model_.dimension; ++axis) {
       auto x = store.component(Field::position, axis);
@@ -80,18 +82,17 @@ void Simulation::kick_and_drift() {
     half_kick(Field::density, Field::density_rate);
     half_kick(Field::specific_energy, Field::energy_rate);
     for (std::size_t i = begin; i < end; ++i)
-      if (!(square_of(velocity, i) <= fastest2)) return i;
+      if (far(i)) return i;
     return none;
   };
   std::size_t const bad = reduce_blocks(
       count, none, advance, [](std::size_t a, std::size_t b) { return std::min(a, b); });
   booked_.damping += 0.5 * dt * damping_power_;
-  if (bad == none) return;
-  auto const far = [&](std::size_t i) { return !(square_of(velocity, i) <= fastest2); };
+  if (bad == none) return follow_density();
   fail({Guard::motion, all_bad(count, far), [&](std::size_t i) {
           return fmt::format(
               "it moves {:.4g} m in one step, farther than the smoothing length {:.4g} m",
-              dt * std::sqrt(square_of(velocity, i)), h);
+              dt * std::sqrt(square_of(velocity, i)), h(i));
         }});
 }
 
@@ -164,7 +165,7 @@ void Simulation::kick_and_check() {
   double const half = predict_by();
   double const damping = stages_.damping();
   struct Outcome {
-    Largest acceleration2, speed2;
+    Largest acceleration2, motion2, speed2;
     std::size_t bad = none;
   };
   auto density = store.scalar(Field::density);
@@ -182,6 +183,8 @@ void Simulation::kick_and_check() {
       sum += velocity[axis][i] * velocity[axis][i] + acceleration[axis][i] * acceleration[axis][i];
     return std::isfinite(sum) && density[i] > 0.0;
   };
+  SmoothingLengths const h(model_);
+  double const of_case = model_.numerics.smoothing_length();
   auto const kick = [&](std::size_t begin, std::size_t end) {
     Outcome outcome;
     for (std::size_t i = begin; i < end; ++i) {
@@ -197,7 +200,10 @@ void Simulation::kick_and_check() {
         acceleration2 += a * a;
         velocity2 += v * v;
       }
-      outcome.acceleration2.include(acceleration2, i);
+      // As if all had the smoothing length of the case: what counts is sqrt(h / a) and h / v.
+      double const shrunk = of_case / h(i);
+      outcome.acceleration2.include(acceleration2 * shrunk * shrunk, i);
+      outcome.motion2.include(velocity2 * shrunk * shrunk, i);
       outcome.speed2.include(velocity2, i);
       if (outcome.bad == none && !is_state(i)) outcome.bad = i;
     }
@@ -205,6 +211,7 @@ void Simulation::kick_and_check() {
   };
   auto const combine = [](Outcome a, Outcome const& b) {
     a.acceleration2.include(b.acceleration2.value, b.acceleration2.particle);
+    a.motion2.include(b.motion2.value, b.motion2.particle);
     a.speed2.include(b.speed2.value, b.speed2.particle);
     a.bad = std::min(a.bad, b.bad);
     return a;
@@ -218,12 +225,13 @@ void Simulation::kick_and_check() {
                        : "its density is not positive";
           }});
   damp(half);
-  double const h = model_.numerics.smoothing_length();
   auto const id = store.id();
-  acceleration_vote_ = {model_.time.courant * std::sqrt(h / std::sqrt(outcome.acceleration2.value)),
-                        acceleration_limit, id[outcome.acceleration2.particle]};
+  acceleration_vote_ = {
+      model_.time.courant * std::sqrt(of_case / std::sqrt(outcome.acceleration2.value)),
+      acceleration_limit, id[outcome.acceleration2.particle]};
   fastest_ = std::sqrt(outcome.speed2.value);
-  motion_vote_ = {longest_motion * h / fastest_, motion_limit, id[outcome.speed2.particle]};
+  motion_vote_ = {longest_motion * of_case / std::sqrt(outcome.motion2.value), motion_limit,
+                  id[outcome.motion2.particle]};
   for (std::size_t axis = 0; axis < 3; ++axis)
     wall_impulse_[axis] += swept_.wall_force[axis] * vote_.time_step;
 }

@@ -71,7 +71,8 @@ Extremes extremes_of(Model const& model, GuardBounds const& bounds, StateRange c
 /// How far a particle may go between two looks at walls [m]: where there are n layers, it is found
 /// at least between 0.8 and n - 0.8 spacings behind a face.
 double longest_way(Numerics const& numerics) {
-  double const layers = std::ceil(kernel_support * numerics.smoothing_factor - 1e-9);
+  double const layers =
+      std::ceil(kernel_support * numerics.largest_smoothing_length() / numerics.spacing - 1e-9);
   return std::max(1.0, layers - 2.0) * numerics.spacing;
 }
 

@@ -16,7 +16,7 @@ constexpr std::array action_table{
     Simulation::ActionInfo{"time step", "every limit votes; the shortest step wins"},
     Simulation::ActionInfo{"kick and drift",
                            "half a step of velocity, density and energy; a whole "
-                           "step of position"},
+                           "step of position; smoothing lengths that vary"},
     Simulation::ActionInfo{"move walls", "put walls that move to their new places"},
     Simulation::ActionInfo{"search",
                            "check the neighbour lists; when worn out remove particles that left "
@@ -61,6 +61,7 @@ Simulation::Simulation(Model model, Unstarted)
 }
 
 Simulation::Simulation(Model model) : Simulation(std::move(model), Unstarted{}) {
+  begin_smoothing();
   light_explosives();
   stages_.begin_first();
   begin_stage();
@@ -104,6 +105,8 @@ void Simulation::exchange(Archive& archive) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     archive.number(fmt::format("wall_impulse_{}", "xyz"[axis]), wall_impulse_[axis]);
   archive.number("wall_power", swept_.wall_power);
+  archive.number("smoothing/clipped_at_least", smoothing_clips_.at_least);
+  archive.number("smoothing/clipped_at_most", smoothing_clips_.at_most);
   model_.particles.exchange(archive);
   for (Material const& material : model_.materials)
     for (Field const field : {Field::burn_fraction, Field::lighting_time})

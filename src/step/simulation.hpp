@@ -15,6 +15,7 @@
 #include "step/booked_energy.hpp"
 #include "step/guards.hpp"
 #include "step/model.hpp"
+#include "step/smoothing_lengths.hpp"
 #include "step/time_step.hpp"
 
 namespace moraine {
@@ -94,6 +95,8 @@ class Simulation {
   Guards const& guards() const { return guards_; }
   /// The stages that have begun so far.
   std::vector<StageEvent> const& stage_events() const { return stages_.events(); }
+  /// Of the run so far; zero where all have one smoothing length.
+  SmoothingClips const& smoothing_clips() const { return smoothing_clips_; }
   std::size_t stages_to_come() const { return stages_.to_come(); }
   ConservedSums sums() const;  // of the domain; see Model::symmetry for the whole
   Timers const& timers() const { return timers_; }
@@ -119,6 +122,9 @@ class Simulation {
   void exchange(Archive& archive);
   void run_actions(std::size_t first);
 
+  void begin_smoothing();
+  void follow_density();
+  void clip_smoothing();
   void evaluate_rates();
   void begin_stage();
   void remove_walls(std::span<std::uint64_t const> ids);
@@ -165,6 +171,7 @@ class Simulation {
   std::array<double, 3> wall_impulse_{};
   Guards guards_;
   BookedEnergy booked_;
+  SmoothingClips smoothing_clips_;
   std::vector<std::uint8_t> wall_is_present_;  // of the moving walls: 0 where a stage removed it
   double damping_power_ = 0.0;                 // W, at the last rates
   double fastest_ = 0.0;                       // m/s, speed at the end of a step

@@ -9,9 +9,12 @@ SearchSettings search_settings(Model const& model) {
   SearchSettings settings;
   settings.dimension = model.dimension;
   settings.support = kernel_support * model.numerics.smoothing_length();
+  Smoothing const& smoothing = model.numerics.smoothing;
+  if (smoothing.varies()) settings.supports = kernel_support;
+  settings.larger_of_two = smoothing.of_pair == PairSmoothing::largest;
   settings.walls_move = model.walls.move();
   // Wall particles and images lie up to a list radius outside of the domain.
-  double const margin = 2.0 * settings.support;
+  double const margin = 2.0 * kernel_support * model.numerics.largest_smoothing_length();
   auto low = model.domain_min;
   auto high = model.domain_max;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(model.dimension); ++axis) {
@@ -41,6 +44,7 @@ SweepParameters sweep_parameters(Model const& model) {
       std::visit([&](auto const& law) { return law.sound_speed(rho, law.reference_energy); }, eos);
   p.kernel = model.numerics.kernel;
   p.smoothing_length = model.numerics.smoothing_length();
+  p.of_pair = model.numerics.smoothing.of_pair;
   p.viscosity_alpha = model.numerics.viscosity_alpha;
   p.viscosity_beta = model.numerics.viscosity_beta;
   p.density_diffusion = model.numerics.density_diffusion;
@@ -71,6 +75,7 @@ std::vector<double> reference_densities(Model const& model) {
 }
 
 SchemeName scheme_of(Model const& model) {
+  if (model.numerics.smoothing.varies()) return SchemeName::variable;
   if (model.numerics.continuity == ContinuityForm::volume) return SchemeName::compressible;
   if (model.numerics.momentum == MomentumForm::mixed) return SchemeName::compressible;
   if (model.walls.turn()) return SchemeName::compressible;

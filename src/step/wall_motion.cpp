@@ -12,7 +12,7 @@ namespace moraine {
 
 /// A wall may neither pass the fluid within a step nor be accelerated so that the step misses it.
 Vote Simulation::vote_of_walls() const {
-  double const h = model_.numerics.smoothing_length();
+  double const h = model_.numerics.least_smoothing_length();
   Vote vote;
   for (std::size_t w = 0; w < model_.walls.bodies.size(); ++w) {
     if (wall_is_present_[w] == 0) continue;

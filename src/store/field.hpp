@@ -22,6 +22,7 @@ enum class Field : std::uint8_t {
   energy_rate,
   burn_fraction,
   lighting_time,
+  smoothing_length,
 };
 
 enum class Rank : std::uint8_t { scalar, vector };
@@ -61,6 +62,8 @@ inline constexpr std::array field_table{
               "part of the explosive that has burnt, with programmed burn; 0 elsewhere"},
     FieldInfo{Field::lighting_time, "lighting_time", "s", Rank::scalar, true, false, true,
               "when the front of a programmed burn gets to the particle; infinite: never"},
+    FieldInfo{Field::smoothing_length, "smoothing_length", "m", Rank::scalar, true, false, true,
+              "smoothing length, where it follows the density"},
 };
 inline constexpr std::size_t field_count = field_table.size();
 

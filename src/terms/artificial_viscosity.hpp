@@ -15,16 +15,14 @@ namespace moraine {
 /// beta = 0 for free-surface water. Symmetric in i and j; always takes kinetic energy.
 template <class Real>
 struct ArtificialViscosity {
-  Real alpha;             // [-]
-  Real beta;              // [-]
-  Real smoothing_length;  // h [m]
+  Real alpha;  // [-]
+  Real beta;   // [-]
 
   template <int D, class Self, class Neighbour>
   MORAINE_FORMULA void operator()(Pair<Real, D> const& pair, Self const& i, Neighbour const& j,
                                   PairRates<Real>& rates) const {
     Real const c = number<Real>(0.5) * (sound_speed(i) + sound_speed(j));
-    Real const mu_by_rho =
-        smoothing_length * minimum(pair.approach, number<Real>(0)) * pair.inverse;
+    Real const mu_by_rho = pair.h * minimum(pair.approach, number<Real>(0)) * pair.inverse;
     Real const mu = mu_by_rho * pair.mean_density;
     rates.stress += mu_by_rho * (beta * mu - alpha * c);
     rates.approach_speed = minimum(rates.approach_speed, mu);

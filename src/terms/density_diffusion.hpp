@@ -18,7 +18,7 @@ namespace moraine {
 /// masses is then exactly antisymmetric.
 template <class Real, int D>
 struct DensityDiffusion {
-  Real strength;              // 2 delta h [m]
+  Real strength;              // 2 delta [-]
   Real hydrostatic_slope[D];  // g / c_0^2 [1/m]
 
   template <class Self, class Neighbour>
@@ -28,7 +28,7 @@ struct DensityDiffusion {
     for (int axis = 0; axis < D; ++axis) hydrostatic += hydrostatic_slope[axis] * pair.x[axis];
     Real const c = number<Real>(0.5) * (sound_speed(i) + sound_speed(j));
     Real const difference = compression(i) - compression(j) - hydrostatic;
-    Real const flux = strength * c * reference_density(i) * difference * pair.distance2 *
+    Real const flux = strength * pair.h * c * reference_density(i) * difference * pair.distance2 *
                       pair.gradient * pair.inverse;
     rates.density_rate +=
         select(reference_density(i) == reference_density(j), flux, number<Real>(0));

@@ -12,6 +12,7 @@ template <class Real, int D>
 struct Pair {
   Real x[D];          // x_ij = x_i - x_j [m]
   Real distance2;     // |x_i - x_j|^2 [m^2]
+  Real h;             // smoothing length of the pair [m]
   Real gradient;      // grad_i W_ij = gradient * x [1/m^(d+2)]
   Real approach;      // v_ij . x [m^2/s], negative when the two come closer; at a free-slip wall
                       // only the parts along its normal

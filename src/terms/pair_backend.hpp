@@ -22,11 +22,12 @@ namespace moraine {
 enum class Flavour : std::uint8_t { mixed, full, reference };
 
 /// Which pair terms and records (terms/schemes.hpp).
-enum class SchemeName : std::uint8_t { liquid, compressible };
+enum class SchemeName : std::uint8_t { liquid, compressible, variable };
 
 /// What one sweep tells besides the rates it leaves in the store.
 struct SweepOutcome {
-  double signal_speed = 0.0;           // largest c + 0.6 (alpha c + beta max|mu|) [m/s]
+  /// Largest c + 0.6 (alpha c + beta max|mu|) [m/s], each by its own h over that of the case.
+  double signal_speed = 0.0;
   std::size_t particle = 0;            // whose, index in the store
   std::array<double, 3> wall_force{};  // force of all walls on the fluid [N]
   double wall_power = 0.0;             // what moving walls do to the fluid [W]

@@ -29,12 +29,15 @@ class PairBackendImpl final : public PairBackend {
   using FluidLayout = typename Scheme::Fluid;
   using WallLayout = typename Scheme::Wall;
   using Number = std::conditional_t<flavour == Flavour::reference, double, Real>;
+  static constexpr bool varies = FluidLayout::has(PairField::smoothing_length);
 
  public:
   PairBackendImpl(SweepParameters const& parameters, std::vector<double> reference_densities)
       : parameters_(parameters),
         uniform_(parameters.template uniform_as<Slot>()),
-        reference_densities_(std::move(reference_densities)) {}
+        reference_densities_(std::move(reference_densities)),
+        fluid_(parameters.smoothing_length),
+        wall_(parameters.smoothing_length) {}
 
   void gather_fluid(ParticleStore const& store, Search const& search, double ahead) override {
     Range const range = store.range(Kind::fluid);
@@ -157,6 +160,8 @@ class PairBackendImpl final : public PairBackend {
         fluid_.set(i, PairField::mass, store.scalar(Field::mass)[i]);
         fluid_.set(i, PairField::sound_speed, store.scalar(Field::sound_speed)[i]);
       }
+      if constexpr (varies)
+        fluid_.set(i, PairField::smoothing_length, store.scalar(Field::smoothing_length)[i]);
     }
   }
 
@@ -249,7 +254,7 @@ class PairBackendImpl final : public PairBackend {
       double const mu = largest_lane(-sum.approach_speed);
       double const signal = sound_speed[i] + 0.6 * (parameters_.viscosity_alpha * sound_speed[i] +
                                                     parameters_.viscosity_beta * mu);
-      outcome.include(signal, i);
+      outcome.include(signal * parameters_.smoothing_length / own_smoothing(i), i);
     };
     for_each_sum(search, begin, end, fluid_terms<Number, D>(parameters_),
                  wall_terms<Number>(parameters_), use);
@@ -300,7 +305,6 @@ class PairBackendImpl final : public PairBackend {
     auto const terms = wall_terms<double>(parameters_);
     auto const uniform = parameters_.template uniform_as<double>();
     auto const wall = wall_.in_metres(w, parameters_.position_scale);
-    double const reach = kernel_support * parameters_.smoothing_length;
     static constexpr std::array<std::uint32_t, 1> only{0};
     auto const& images = search.images(Kind::fluid);
     WallLoad load;
@@ -309,6 +313,7 @@ class PairBackendImpl final : public PairBackend {
       double distance2 = 0.0;
       for (std::size_t axis = 0; axis < static_cast<std::size_t>(D); ++axis)
         distance2 += (fluid[axis] - wall[axis]) * (fluid[axis] - wall[axis]);
+      double const reach = kernel_support * own_smoothing(j);
       if (distance2 >= reach * reach) continue;
       load.wet = true;
       Broadcast<double, FluidLayout> const self{fluid.data(), uniform.data()};
@@ -325,9 +330,12 @@ class PairBackendImpl final : public PairBackend {
   template <class Neighbours>
   std::uint64_t count_near(std::size_t i, std::span<std::uint32_t const> list,
                            Neighbours const& neighbours) const {
-    double const reach = kernel_support * parameters_.smoothing_length;
     std::uint64_t near = 0;
     for (std::uint32_t const j : list) {
+      double h = own_smoothing(i);
+      if constexpr (varies && std::is_same_v<Neighbours, Records<Slot, FluidLayout>>)
+        h = pair_smoothing(parameters_.of_pair, h, own_smoothing(j));
+      double const reach = kernel_support * h;
       double distance2 = 0.0;
       for (int axis = 0; axis < D; ++axis) {
         double const difference =
@@ -337,6 +345,14 @@ class PairBackendImpl final : public PairBackend {
       near += distance2 < reach * reach ? 1 : 0;
     }
     return near;
+  }
+
+  /// h [m] of a fluid record.
+  double own_smoothing([[maybe_unused]] std::size_t i) const {
+    if constexpr (varies)
+      return fluid_.get(i, PairField::smoothing_length);
+    else
+      return parameters_.smoothing_length;
   }
 
   double metres_between(Slot a, Slot b) const {
@@ -360,6 +376,9 @@ class PairBackendImpl final : public PairBackend {
 template <int D, Flavour flavour>
 std::unique_ptr<PairBackend> make_backend(SchemeName scheme, SweepParameters const& p,
                                           std::vector<double> densities) {
+  if (scheme == SchemeName::variable)
+    return std::make_unique<PairBackendImpl<D, flavour, AnyKernel<D>, VariableScheme<D>>>(
+        p, std::move(densities));
   auto const with = [&]<class Kernel>(Kernel) -> std::unique_ptr<PairBackend> {
     if (scheme == SchemeName::liquid && flavour != Flavour::reference) {
       using Liquid = PairBackendImpl<D, flavour == Flavour::reference ? Flavour::full : flavour,

@@ -25,8 +25,9 @@ enum class PairField : std::uint8_t {
   wall_depth,         // distance behind the wall's face [m], negative where the wall has no slip
   wall_turn,          // normal x angular velocity of the wall [1/s]
   lattice_volume,     // volume of a wall particle, spacing^d [m^d]
+  smoothing_length,   // h [m], where particles have their own
 };
-inline constexpr std::size_t pair_field_count = 10;
+inline constexpr std::size_t pair_field_count = 11;
 
 /// Numbers that a field takes in D dimensions.
 template <int D>
@@ -131,6 +132,10 @@ MORAINE_FORMULA auto wall_turn(P const& particle, int axis) {
 template <class P>
 MORAINE_FORMULA auto lattice_volume(P const& particle) {
   return particle.template get<PairField::lattice_volume>();
+}
+template <class P>
+MORAINE_FORMULA auto smoothing_length(P const& particle) {
+  return particle.template get<PairField::smoothing_length>();
 }
 template <class P>
 MORAINE_FORMULA auto wall_depth(P const& particle) {

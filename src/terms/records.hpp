@@ -22,6 +22,9 @@ class Records {
   static constexpr int D = Layout::dimension;
   static constexpr bool fixed = std::is_same_v<Slot, float>;
 
+  /// smoothing_length [m]: an ordinary one, for the records that lie nowhere.
+  explicit Records(double smoothing_length) : smoothing_length_(smoothing_length) {}
+
   void resize(std::size_t owned, std::size_t images) {
     owned_ = owned;
     std::size_t const slots = slots_for(owned + images);
@@ -106,10 +109,13 @@ class Records {
     // A density of one keeps the pair's division finite.
     if constexpr (Layout::has(PairField::reference_density))
       last[Layout::offset(PairField::reference_density)] = Slot(1);
+    if constexpr (Layout::has(PairField::smoothing_length))
+      last[Layout::offset(PairField::smoothing_length)] = static_cast<Slot>(smoothing_length_);
   }
 
   AlignedVector<Slot> values_;
   std::size_t owned_ = 0;
+  double smoothing_length_;  // m
 };
 
 }  // namespace moraine

@@ -18,7 +18,6 @@ void reference_sum(SweepParameters const& parameters, Self const& self,
                    std::span<std::uint32_t const> points, double const* records, Terms const& terms,
                    PairSum<double, D>& sum) {
   auto const kernel = make_kernel<Kernel>(parameters.kernel);
-  double const h = parameters.smoothing_length;
   for (std::uint32_t const j : points) {
     Broadcast<double, Layout> const neighbour{records + slot_of(j) * Layout::stride, self.uniform};
     Pair<double, D> pair{};
@@ -26,6 +25,12 @@ void reference_sum(SweepParameters const& parameters, Self const& self,
       pair.x[axis] = self.position(axis) - neighbour.position(axis);
       pair.distance2 += pair.x[axis] * pair.x[axis];
     }
+    double h = parameters.smoothing_length;
+    if constexpr (Self::has(PairField::smoothing_length)) {
+      h = smoothing_length(self);
+      if constexpr (!wall) h = pair_smoothing(parameters.of_pair, h, smoothing_length(neighbour));
+    }
+    pair.h = h;
     double const q = std::sqrt(pair.distance2) / h;
     if (q >= kernel_support) continue;
     double v[D];
@@ -52,7 +57,7 @@ void reference_sum(SweepParameters const& parameters, Self const& self,
       pair.gap = in_front ? ahead - std::fabs(wall_depth(neighbour)) : 1e6;
     }
     pair.mean_density = 0.5 * (density(self) + density(neighbour));
-    pair.inverse = 1.0 / ((pair.distance2 + parameters.softening2()) * pair.mean_density);
+    pair.inverse = 1.0 / ((pair.distance2 + 0.01 * h * h) * pair.mean_density);
     pair.gradient = kernel.sigma / std::pow(h, D + 2) * kernel.slope_over_q(q);
 
     PairRates<double> rates{};

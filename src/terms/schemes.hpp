@@ -17,23 +17,20 @@ namespace moraine {
 /// Terms that take energy from motion, or from compression without telling the energy equation.
 template <class Real, int D>
 auto dissipative_terms(SweepParameters const& p) {
-  DensityDiffusion<Real, D> diffusion{number<Real>(2.0 * p.density_diffusion * p.smoothing_length),
-                                      {}};
+  DensityDiffusion<Real, D> diffusion{number<Real>(2.0 * p.density_diffusion), {}};
   for (int axis = 0; axis < D; ++axis)
     diffusion.hydrostatic_slope[axis] =
         number<Real>(p.hydrostatic_slope[static_cast<std::size_t>(axis)]);
   return std::tuple{
-      ArtificialViscosity<Real>{number<Real>(p.viscosity_alpha), number<Real>(p.viscosity_beta),
-                                number<Real>(p.smoothing_length)},
+      ArtificialViscosity<Real>{number<Real>(p.viscosity_alpha), number<Real>(p.viscosity_beta)},
       diffusion};
 }
 
 /// The same between a fluid particle and a wall: no diffusion, a wall has no density of its own.
 template <class Real>
 auto dissipative_wall_terms(SweepParameters const& p) {
-  return std::tuple{ArtificialViscosity<Real>{number<Real>(p.viscosity_alpha),
-                                              number<Real>(p.viscosity_beta),
-                                              number<Real>(p.smoothing_length)}};
+  return std::tuple{
+      ArtificialViscosity<Real>{number<Real>(p.viscosity_alpha), number<Real>(p.viscosity_beta)}};
 }
 
 /// Terms between fluid particles, built for a number type from the parameters of a run.
@@ -75,6 +72,16 @@ struct CompressibleScheme {
   using Wall = RecordLayout<D, PairField::velocity, PairField::pressure_term,
                             PairField::reference_density, PairField::sound_speed, PairField::normal,
                             PairField::wall_depth, PairField::wall_turn>;
+};
+
+/// The same, where particles have smoothing lengths of their own.
+template <int D>
+struct VariableScheme {
+  static constexpr bool uniform = false;
+  using Fluid = RecordLayout<D, PairField::velocity, PairField::pressure_term,
+                             PairField::compression, PairField::reference_density, PairField::mass,
+                             PairField::sound_speed, PairField::smoothing_length>;
+  using Wall = typename CompressibleScheme<D>::Wall;
 };
 
 }  // namespace moraine

@@ -43,21 +43,55 @@ MORAINE_FORMULA Real separation(SlotOf<Real> x_i, Real x_j, Real scale) {
   }
 }
 
+/// What the smoothing length of a pair makes: h [m], 1/h^2, sigma_d / h^(d+2), and phi^2 = (0.1
+/// h)^2, which keeps 1 / r^2 finite for close pairs.
+template <class Real>
+struct PairScale {
+  Real h;
+  Real inverse_h2;
+  Real gradient_factor;
+  Real softening2;
+
+  template <int D>
+  MORAINE_FORMULA static PairScale of(Real const& h, Real const& sigma) {
+    Real const inverse = number<Real>(1) / h;
+    Real const inverse2 = inverse * inverse;
+    Real const inverse_d = D == 1 ? inverse : (D == 2 ? inverse2 : inverse2 * inverse);
+    return {h, inverse2, sigma * inverse_d * inverse2, number<Real>(0.01) * h * h};
+  }
+};
+
 /// Everything that does not change from particle to particle, in lanes.
 template <class Real, int D, class Kernel>
 struct SweepConstants {
   explicit SweepConstants(SweepParameters const& p)
       : kernel(make_kernel<Kernel>(p.kernel)),
+        of_pair(p.of_pair),
         position_scale(number<Real>(p.position_scale)),
-        softening2(number<Real>(p.softening2())),
-        inverse_h2(number<Real>(1.0 / (p.smoothing_length * p.smoothing_length))),
-        gradient_factor(number<Real>(kernel.sigma / std::pow(p.smoothing_length, D + 2))) {}
+        sigma(number<Real>(kernel.sigma)) {
+    auto const all = PairScale<double>::of<D>(p.smoothing_length, kernel.sigma);
+    scale = {number<Real>(all.h), number<Real>(all.inverse_h2), number<Real>(all.gradient_factor),
+             number<Real>(all.softening2)};
+  }
+
+  /// Of a pair: the same for all, or where particles have smoothing lengths of their own, from
+  /// these; a wall takes part with that of the fluid particle.
+  template <bool wall, class Self, class Neighbour>
+  MORAINE_FORMULA PairScale<Real> scale_of(Self const& i, Neighbour const& j) const {
+    if constexpr (!Self::has(PairField::smoothing_length))
+      return scale;
+    else if constexpr (wall)
+      return PairScale<Real>::template of<D>(smoothing_length(i), sigma);
+    else
+      return PairScale<Real>::template of<D>(
+          pair_smoothing(of_pair, smoothing_length(i), smoothing_length(j)), sigma);
+  }
 
   Kernel kernel;
+  PairSmoothing of_pair;
   Real position_scale;
-  Real softening2;
-  Real inverse_h2;
-  Real gradient_factor;  // sigma_d / h^(d+2)
+  Real sigma;
+  PairScale<Real> scale;  // of the case
 };
 
 /// Fills `lanes` with the neighbours of a list, W at a time, and calls use() for each lot. A
@@ -139,11 +173,12 @@ void sum_over_pairs(SweepConstants<Real, D, Kernel> const& constants, Self const
         }
         Real const along = pair.approach;  // what the force does work on
         if constexpr (wall) look_at_wall<Real, D>(lanes, v, pair);
+        PairScale<Real> const scale = constants.template scale_of<wall>(self, lanes);
+        pair.h = scale.h;
         pair.mean_density = number<Real>(0.5) * (density(self) + density(lanes));
-        pair.inverse =
-            number<Real>(1) / ((pair.distance2 + constants.softening2) * pair.mean_density);
-        Real const q = square_root(pair.distance2 * constants.inverse_h2);
-        pair.gradient = constants.gradient_factor * constants.kernel.slope_over_q(q);
+        pair.inverse = number<Real>(1) / ((pair.distance2 + scale.softening2) * pair.mean_density);
+        Real const q = square_root(pair.distance2 * scale.inverse_h2);
+        pair.gradient = scale.gradient_factor * constants.kernel.slope_over_q(q);
 
         PairRates<Real> rates{number<Real>(0), number<Real>(0), number<Real>(0)};
         std::apply([&](auto const&... term) { (term(pair, self, lanes, rates), ...); }, terms);

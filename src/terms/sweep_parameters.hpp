@@ -3,6 +3,7 @@
 #include <array>
 
 #include "smoothing/kernel_names.hpp"
+#include "smoothing/pair_smoothing.hpp"
 #include "terms/pair_fields.hpp"
 
 namespace moraine {
@@ -10,7 +11,8 @@ namespace moraine {
 /// Run-time numbers of a sweep, the same for all pairs.
 struct SweepParameters {
   KernelName kernel = KernelName::wendland_c2;
-  double smoothing_length = 0.0;              // h [m]
+  double smoothing_length = 0.0;  // h [m], of the case
+  PairSmoothing of_pair = PairSmoothing::arithmetic;
   double position_scale = 1.0;                // metres per fixed-point unit
   double viscosity_alpha = 0.0;               // [-]
   double viscosity_beta = 0.0;                // [-]
@@ -30,9 +32,6 @@ struct SweepParameters {
     for (std::size_t f = 0; f < pair_field_count; ++f) values[f] = static_cast<Slot>(uniform[f]);
     return values;
   }
-
-  /// phi^2 = (0.1 h)^2 [m^2], which keeps 1 / r^2 finite for close pairs.
-  double softening2() const { return 0.01 * smoothing_length * smoothing_length; }
 };
 
 }  // namespace moraine

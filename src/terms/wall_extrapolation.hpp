@@ -52,13 +52,20 @@ WallState extrapolate(SweepParameters const& parameters, SlotOf<Real> const* sel
   Number gravity[D];
   for (int axis = 0; axis < D; ++axis)
     gravity[axis] = number<Number>(seen_gravity[static_cast<std::size_t>(axis)]);
-  Number const inverse_h2 =
-      number<Number>(1.0 / (parameters.smoothing_length * parameters.smoothing_length));
+  Number const inverse_h = number<Number>(1.0 / parameters.smoothing_length);
   auto const add = [&](auto const& neighbour, Number const(&x)[D]) {
     Number distance2 = number<Number>(0);
     for (int axis = 0; axis < D; ++axis) distance2 += x[axis] * x[axis];
-    add_to_wall<Number, D>(kernel.shape(square_root(distance2 * inverse_h2)), x, gravity, neighbour,
-                           sums);
+    using Neighbour = std::decay_t<decltype(neighbour)>;
+    if constexpr (Neighbour::has(PairField::smoothing_length)) {
+      Number const own = number<Number>(1) / smoothing_length(neighbour);
+      Number const volume = D == 1 ? own : (D == 2 ? own * own : own * own * own);
+      add_to_wall<Number, D>(volume * kernel.shape(square_root(distance2) * own), x, gravity,
+                             neighbour, sums);
+    } else {
+      add_to_wall<Number, D>(kernel.shape(square_root(distance2) * inverse_h), x, gravity,
+                             neighbour, sums);
+    }
   };
   Number x[D];
   if constexpr (reference) {
@@ -78,7 +85,7 @@ WallState extrapolate(SweepParameters const& parameters, SlotOf<Real> const* sel
           add(lanes, x);
         });
   }
-  // The normalisation of the kernel drops out of all ratios.
+  // What is common to all weights, the normalisation of the kernel, drops out of all ratios.
   double const weight = sum_of_lanes(sums.weight);
   if (!(weight > 0.0)) return {};
   return {weight, (sum_of_lanes(sums.pressure) + sum_of_lanes(sums.head)) / weight,
