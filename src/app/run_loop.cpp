@@ -96,6 +96,13 @@ void say_end(Run const& run, Timers const& saving, std::string const& reason, do
   if (!simulation.running() && simulation.stages_to_come() > 0)
     fmt::print("{} stages never began: the condition of the one before did not come true\n",
                simulation.stages_to_come());
+  SmoothingClips const& clips = simulation.smoothing_clips();
+  if (clips.at_least + clips.at_most > 0)
+    fmt::print(
+        "smoothing lengths were cut off: of up to {} particles at {:.4g} m "
+        "(resolution.smoothing.least), of up to {} at {:.4g} m (most)\n",
+        clips.at_least, simulation.model().numerics.least_smoothing_length(), clips.at_most,
+        simulation.model().numerics.largest_smoothing_length());
   for (std::string const& remark : run.recorder.remarks()) fmt::print("{}\n", remark);
   std::string const folder = run.folder.string();
   fmt::print(

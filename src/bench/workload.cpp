@@ -72,6 +72,11 @@ constexpr Workload list[] = {
      .warm_up = 0,
      .steps = 0,
      .usual = true},
+    {.name = "tnt-in-water-variable",
+     .description = "the same with smoothing lengths that follow the density",
+     .make = tnt_in_water_variable,
+     .warm_up = 0,
+     .steps = 0},
     {.name = "dam-break-3d-1e4",
      .description = "scaling with size: 9 900 particles",
      .make = dam_break_3d<20000>},
@@ -132,6 +137,12 @@ open = ["{top}"]
 }
 
 Case tnt_in_water() { return parse_case(tnt_in_water_text, "tnt-in-water"); }
+
+Case tnt_in_water_variable() {
+  Case c = tnt_in_water();
+  c.numerics.smoothing.mode = SmoothingMode::density;
+  return c;
+}
 
 Case periodic_block(int dimension, int particles, Precision precision) {
   double const edge = particles;

@@ -120,8 +120,8 @@ void FrameWriter::write(std::ostream& stream, double time) {
   std::vector<Block> blocks;
   blocks.push_back(field_block(Field::position));
   for (Field const field : written_fields) blocks.push_back(field_block(field));
-  if (kind_ == Kind::fluid && store_.has(Field::burn_fraction))
-    blocks.push_back(field_block(Field::burn_fraction));
+  for (Field const field : {Field::burn_fraction, Field::smoothing_length})
+    if (kind_ == Kind::fluid && store_.has(field)) blocks.push_back(field_block(field));
   std::size_t const first = range_.begin;
   for (ParticleArray const& array : more_) {
     blocks.push_back(block<float>("Float32", array.name, [this, first, &array](std::size_t i) {

@@ -154,7 +154,7 @@ void add_stages(Case const& c, Model& model, Members const& members) {
 
 /// A particle must not see another one and its image, nor itself.
 void check_periods(Case const& c) {
-  double const least = 2.0 * kernel_support * c.numerics.smoothing_length();
+  double const least = 2.0 * kernel_support * c.numerics.largest_smoothing_length();
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(c.dimension); ++axis) {
     double const period = c.domain.max[axis] - c.domain.min[axis];
     bool const reflects = c.symmetry.planes[axis][0] || c.symmetry.planes[axis][1];

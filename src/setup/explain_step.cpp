@@ -69,6 +69,14 @@ std::string wall_words(Case const& c) {
   return text;
 }
 
+std::string smoothing_words(Case const& c) {
+  Smoothing const& smoothing = c.numerics.smoothing;
+  if (!smoothing.varies()) return "";
+  return fmt::format("smoothing lengths by {}, between {:.4g} and {:.4g} m",
+                     smoothing.mode == SmoothingMode::rate ? "the rate of density" : "density",
+                     c.numerics.least_smoothing_length(), c.numerics.largest_smoothing_length());
+}
+
 std::string motion_words(Case const& c) {
   std::string text;
   for (auto const& wall : c.walls)
@@ -112,8 +120,9 @@ struct Words {
 };
 
 // By label of the action; an action without an entry is told by its description alone.
-constexpr std::array<Words, 8> case_words{{
+constexpr std::array<Words, 9> case_words{{
     {"time step", time_step_words},
+    {"kick and drift", smoothing_words},
     {"move walls", motion_words},
     {"search", search_words},
     {"matter", matter_words},
@@ -134,7 +143,8 @@ std::string explain_step(Case const& c) {
   for (auto const& [label, description] : Simulation::actions()) {
     text += fmt::format("{}. {}: {}\n", ++number, label, description);
     for (auto const& words : case_words)
-      if (words.label == label) text += fmt::format("   {}\n", words.text(c));
+      if (std::string const told = words.label == label ? words.text(c) : ""; !told.empty())
+        text += fmt::format("   {}\n", told);
   }
   return text;
 }

@@ -41,7 +41,7 @@ Model random_box(RandomBox const& box, double end) {
   model.numerics.precision = box.precision;
   model.time.end = end;
   model.materials = {{"light", liquid(1000.0)}};
-  bool const two = box.scheme == SchemeName::compressible;
+  bool const two = box.scheme != SchemeName::liquid;
   if (two) model.materials.push_back({"heavy", liquid(3000.0)});
   model.particles = ParticleStore(box.dimension);
   ParticleStore& store = model.particles;
@@ -60,6 +60,12 @@ Model random_box(RandomBox const& box, double end) {
     double const density = heavy ? 3000.0 : 1000.0;
     store.scalar(Field::density)[i] = density * (1.0 + 0.01 * dice());
     store.scalar(Field::mass)[i] = density * std::pow(spacing, box.dimension);
+  }
+  if (box.scheme == SchemeName::variable) {
+    model.numerics.smoothing.mode = SmoothingMode::density;
+    store.use(Field::smoothing_length);
+    for (double& h : store.scalar(Field::smoothing_length))
+      h = model.numerics.smoothing_length() * (1.0 + 0.3 * dice());
   }
   return model;
 }

@@ -11,8 +11,9 @@ namespace moraine {
 /// Particles about the points of a lattice in a box with periodic sides, at random velocities.
 struct RandomBox {
   int dimension = 2;
-  int side = 16;                                 // particles along each edge
-  SchemeName scheme = SchemeName::compressible;  // two liquids, 1000 and 3000 kg/m^3, or one
+  int side = 16;  // particles along each edge
+  /// Two liquids, 1000 and 3000 kg/m^3, or one; smoothing lengths of random size with `variable`.
+  SchemeName scheme = SchemeName::compressible;
   Precision precision = Precision::full;
   double displacement = 0.2;  // spacings, largest along each axis
   double velocity = 0.05;     // sound speeds, largest along each axis

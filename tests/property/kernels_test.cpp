@@ -107,6 +107,37 @@ TEST(Kernels, FallingExponentialIsExactToRounding) {
   EXPECT_LE(falling_exponential(1e30), std::exp(-15.9));
 }
 
+/// max k |W(k)| over wave numbers, W(k) the Fourier transform of a kernel with h = 1.
+template <int D>
+double stiffness(AnyKernel<D> const& kernel) {
+  constexpr int pieces = 1000;
+  double most = 0.0;
+  for (double k = 0.05; k < 8.0; k += 0.05) {
+    double transform = 0.0;
+    for (int i = 0; i < pieces; ++i) {
+      double const r = (i + 0.5) * kernel_support / pieces;
+      double const wave = D == 1
+                              ? 2.0 * std::cos(k * r)
+                              : (D == 2 ? 2.0 * std::numbers::pi * r * std::cyl_bessel_j(0.0, k * r)
+                                        : 4.0 * std::numbers::pi * r * std::sin(k * r) / k);
+      transform += kernel.sigma * kernel.shape(r) * wave * kernel_support / pieces;
+    }
+    most = std::max(most, k * std::fabs(transform));
+  }
+  return most;
+}
+
+TEST(Kernels, TimeStepsFollowTheFastestWaves) {
+  for (KernelInfo const& kernel : kernel_table) {
+    double const most =
+        std::max({stiffness(AnyKernel<1>(kernel.kernel)), stiffness(AnyKernel<2>(kernel.kernel)),
+                  stiffness(AnyKernel<3>(kernel.kernel))});
+    EXPECT_LT(kernel.time_step * most, 1.5) << kernel.name;
+    EXPECT_GT(most, 0.65) << kernel.name;
+  }
+  EXPECT_NEAR(stiffness(AnyKernel<1>(KernelName::cubic_spline)), 1.0375, 0.002);
+}
+
 TEST(Kernels, AreInTheOrderOfTheirNames) {
   for (std::size_t k = 0; k < kernel_table.size(); ++k)
     EXPECT_EQ(static_cast<std::size_t>(kernel_table[k].kernel), k);

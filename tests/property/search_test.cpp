@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "step/simulation_setup.hpp"
@@ -38,6 +40,17 @@ std::size_t owner(Search const& search, Kind kind, std::size_t owned, std::uint3
   return listed < owned ? listed : search.images(kind)[listed - owned].source;
 }
 
+/// Support of a pair [m]; particles count from the first of the store.
+double support_of(Model const& model, SearchSettings const& settings, std::size_t i,
+                  std::size_t j) {
+  Smoothing const& smoothing = model.numerics.smoothing;
+  if (!smoothing.varies()) return settings.support;
+  auto const h = model.particles.scalar(Field::smoothing_length);
+  if (i >= h.size()) return kernel_support * h[j];  // a wall particle has none
+  if (j >= h.size()) return kernel_support * h[i];
+  return kernel_support * pair_smoothing(smoothing.of_pair, h[i], h[j]);
+}
+
 /// Everything nearer than the support (less one part in a million for fixed point) is listed, once.
 void expect_complete(Model const& model, Search const& search, NeighbourList const& lists, Kind of,
                      Kind among) {
@@ -45,7 +58,6 @@ void expect_complete(Model const& model, Search const& search, NeighbourList con
   Range const self = store.range(of);
   Range const others = store.range(among);
   ASSERT_EQ(lists.size(), self.size());
-  double const support = search.settings().support * (1.0 - 1e-6);
   std::size_t found = 0;
   for (std::size_t i = 0; i < self.size(); ++i) {
     std::vector<std::size_t> listed;
@@ -55,8 +67,10 @@ void expect_complete(Model const& model, Search const& search, NeighbourList con
     EXPECT_EQ(std::adjacent_find(listed.begin(), listed.end()), listed.end()) << "twice, of " << i;
     for (std::size_t j = 0; j < others.size(); ++j) {
       if (of == among && i == j) continue;
-      if (distance(model, position(store, self.begin + i), position(store, others.begin + j)) >=
-          support)
+      std::size_t const a = self.begin + i;
+      std::size_t const b = others.begin + j;
+      if (distance(model, position(store, a), position(store, b)) >=
+          support_of(model, search.settings(), a, b) * (1.0 - 1e-6))
         continue;
       ++found;
       ASSERT_TRUE(std::binary_search(listed.begin(), listed.end(), j)) << i << " misses " << j;
@@ -79,12 +93,29 @@ RandomBox box_of(int dimension) {
   return box;
 }
 
-class SearchOf : public testing::TestWithParam<int> {};
+/// Dimension, and how smoothing lengths of pairs are found where they vary.
+using Supports = std::pair<int, std::optional<PairSmoothing>>;
+
+class SearchOf : public testing::TestWithParam<Supports> {
+ protected:
+  static Model model_with(bool walls) {
+    auto const& [dimension, of_pair] = GetParam();
+    Model model =
+        walls ? walled_random_box(box_of(dimension), 1.0) : random_box(box_of(dimension), 1.0);
+    if (!of_pair) return model;
+    model.numerics.smoothing.mode = SmoothingMode::density;
+    model.numerics.smoothing.of_pair = *of_pair;
+    model.particles.use(Field::smoothing_length);
+    auto h = model.particles.scalar(Field::smoothing_length);
+    for (std::size_t i = 0; i < h.size(); ++i)
+      h[i] = model.numerics.smoothing_length() * (1.0 + 0.4 * std::sin(11.0 * double(i)));
+    return model;
+  }
+};
 
 TEST_P(SearchOf, FindsAllNeighbours) {
   for (bool const walls : {false, true}) {
-    Model model =
-        walls ? walled_random_box(box_of(GetParam()), 1.0) : random_box(box_of(GetParam()), 1.0);
+    Model model = model_with(walls);
     Search search(search_settings(model));
     ASSERT_TRUE(search.refresh(model.particles));
     expect_all_complete(model, search);
@@ -95,8 +126,7 @@ TEST_P(SearchOf, FindsAllNeighbours) {
 // must rebuild them, and all must leave them complete.
 TEST_P(SearchOf, StaysCompleteWhileParticlesMove) {
   for (bool const walls : {false, true}) {
-    Model model =
-        walls ? walled_random_box(box_of(GetParam()), 1.0) : random_box(box_of(GetParam()), 1.0);
+    Model model = model_with(walls);
     Search search(search_settings(model));
     search.refresh(model.particles);
     int kept = 0;
@@ -106,6 +136,8 @@ TEST_P(SearchOf, StaysCompleteWhileParticlesMove) {
         for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i)
           store.component(Field::position, axis)[i] +=
               4e-5 * std::sin(static_cast<double>(7 * store.id()[i] + 3u) + axis);
+      for (std::size_t i = 0; i < store.scalar(Field::smoothing_length).size(); ++i)
+        store.scalar(Field::smoothing_length)[i] *= 1.0 + 1e-3 * std::sin(double(store.id()[i]));
       kept += search.refresh(store) ? 0 : 1;
       expect_all_complete(model, search);
     }
@@ -114,7 +146,13 @@ TEST_P(SearchOf, StaysCompleteWhileParticlesMove) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Dimensions, SearchOf, testing::Values(1, 2, 3));
+INSTANTIATE_TEST_SUITE_P(
+    Dimensions, SearchOf,
+    testing::Values(Supports{1, {}}, Supports{2, {}}, Supports{3, {}},
+                    Supports{1, PairSmoothing::arithmetic}, Supports{2, PairSmoothing::arithmetic},
+                    Supports{3, PairSmoothing::arithmetic}, Supports{2, PairSmoothing::geometric},
+                    Supports{2, PairSmoothing::largest}, Supports{3, PairSmoothing::largest},
+                    Supports{2, PairSmoothing::smallest}));
 
 }  // namespace
 }  // namespace moraine
