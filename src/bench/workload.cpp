@@ -53,6 +53,12 @@ Case dam_break_3d() {
   return dam_break(3, 1e-6 * thousandths_of_a_millimetre, Precision::mixed);
 }
 
+Case tnt_in_water_variable() {
+  Case c = tnt_in_water();
+  c.numerics.smoothing.mode = SmoothingMode::density;
+  return c;
+}
+
 constexpr Workload list[] = {
     {.name = "dam-break-3d",
      .description = "dam break in 3D, 128 310 particles, mixed precision: the headline number",
@@ -137,12 +143,6 @@ open = ["{top}"]
 }
 
 Case tnt_in_water() { return parse_case(tnt_in_water_text, "tnt-in-water"); }
-
-Case tnt_in_water_variable() {
-  Case c = tnt_in_water();
-  c.numerics.smoothing.mode = SmoothingMode::density;
-  return c;
-}
 
 Case periodic_block(int dimension, int particles, Precision precision) {
   double const edge = particles;

@@ -22,6 +22,7 @@ std::vector<CheckResult> check_hydrostatic_pressure(Effort effort);
 std::vector<CheckResult> check_sloshing(Effort effort);
 std::vector<CheckResult> check_martin_moyce_front(Effort effort);
 std::vector<CheckResult> check_tnt_in_water(Effort effort);
+std::vector<CheckResult> check_tnt_kernels(Effort effort);
 std::vector<CheckResult> check_tnt_slab(Effort effort);
 
 namespace {
@@ -47,6 +48,11 @@ constexpr std::array all_checks{
     Check{"tnt-in-water",
           "an explosion keeps energy, momentum and symmetry, and its shock is possible",
           check_tnt_in_water},
+    Check{
+        "tnt-kernels",
+        "a charge in water keeps its energy with every kernel, in every dimension, with both forms "
+        "of momentum and smoothing lengths that vary",
+        check_tnt_kernels},
     Check{"tnt-slab",
           "a slab of explosive burns behind a Chapman-Jouguet front, or expands as burnt at once",
           check_tnt_slab},
