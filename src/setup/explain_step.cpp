@@ -10,6 +10,7 @@
 #include "setup/geometry.hpp"
 #include "setup/parameter.hpp"
 #include "setup/region_lattice.hpp"
+#include "smoothing/viscous_stiffness.hpp"
 #include "step/simulation.hpp"
 
 namespace moraine {
@@ -18,9 +19,10 @@ namespace {
 std::string time_step_words(Case const& c) {
   if (c.time.fixed_step > 0.0) return fmt::format("fixed at {:.4g} s", c.time.fixed_step);
   std::string text = fmt::format(
-      "{:.3g} h / (c + 0.6 (alpha c + beta |mu|)), {:.3g} sqrt(h / |a|), h / (2 |v|) with h = "
+      "{:.3g} h / (c + {:.3g} (alpha c + beta |mu|)), {:.3g} sqrt(h / |a|), h / (2 |v|) with h = "
       "{:.4g} m; the last ends at {:.4g} s",
-      c.time.courant, c.time.courant, c.numerics.smoothing_length(), c.time.end);
+      c.time.courant, viscous_signal(c.numerics.kernel, c.dimension), c.time.courant,
+      c.numerics.smoothing_length(), c.time.end);
   for (auto const& material : c.materials)
     if (material.burn.kind == BurnKind::programmed)
       text += fmt::format("; {:.3g} h / D while {} is left to burn", c.time.courant, material.name);

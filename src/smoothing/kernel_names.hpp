@@ -27,10 +27,6 @@ struct KernelInfo {
   KernelName kernel;
   std::string_view name;   // in case files
   std::string_view words;  // in messages
-  /// Part of the usual time step [-]. Discrete sound waves are no faster than c g / h with
-  /// g = max k h |W(k)| over all wave numbers k, W(k) the Fourier transform of the kernel: 0.7
-  /// to 1.5 for the kernels whose part is 1, 2.2 for the super-Gaussian.
-  double time_step = 1.0;
 };
 
 inline constexpr std::array kernel_table{
@@ -41,7 +37,7 @@ inline constexpr std::array kernel_table{
     KernelInfo{KernelName::quartic_spline, "quartic_spline", "quartic spline"},
     KernelInfo{KernelName::quintic_spline, "quintic_spline", "quintic spline"},
     KernelInfo{KernelName::gaussian, "gaussian", "Gaussian"},
-    KernelInfo{KernelName::super_gaussian, "super_gaussian", "super-Gaussian", 2.0 / 3.0},
+    KernelInfo{KernelName::super_gaussian, "super_gaussian", "super-Gaussian"},
     KernelInfo{KernelName::lucy, "lucy", "Lucy's kernel"},
     KernelInfo{KernelName::johnson_quadratic, "johnson_quadratic", "Johnson's quadratic"},
     KernelInfo{KernelName::dome, "dome", "dome"},

@@ -38,7 +38,7 @@ struct Largest {
 
 void Simulation::choose_time_step() {
   TimeSpec const& spec = model_.time;
-  double const h = model_.numerics.time_step_length();
+  double const h = model_.numerics.smoothing_length();
   Vote vote{spec.courant * h / swept_.signal_speed, sound_limit,
             model_.particles.id()[swept_.particle]};
   vote = stricter(vote, acceleration_vote_);
@@ -226,7 +226,7 @@ void Simulation::kick_and_check() {
           }});
   damp(half);
   auto const id = store.id();
-  acceleration_vote_ = {model_.time.courant * std::sqrt(model_.numerics.time_step_length() /
+  acceleration_vote_ = {model_.time.courant * std::sqrt(model_.numerics.smoothing_length() /
                                                         std::sqrt(outcome.acceleration2.value)),
                         acceleration_limit, id[outcome.acceleration2.particle]};
   fastest_ = std::sqrt(outcome.speed2.value);

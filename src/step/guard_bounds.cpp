@@ -89,7 +89,7 @@ GuardBounds bounds_of(Model const& model, StateRange const& start) {
   double const reach = settings.specific_energy * (largest + 0.5 * signal * signal);
   bounds.energy_min = start.energy_min - reach;
   bounds.energy_max = start.energy_max + reach;
-  bounds.time_step = settings.time_step * model.time.courant * model.numerics.time_step_length() /
+  bounds.time_step = settings.time_step * model.time.courant * model.numerics.smoothing_length() /
                      start.signal_speed;
   bounds.wall_depth = settings.wall_depth * model.numerics.spacing;
   return bounds;

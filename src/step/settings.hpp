@@ -43,8 +43,6 @@ struct Numerics {
   MomentumForm momentum = MomentumForm::conservative;
   Precision precision = Precision::mixed;
   double smoothing_length() const { return smoothing_factor * spacing; }
-  /// What a time step is measured by [m].
-  double time_step_length() const { return info(kernel).time_step * smoothing_length(); }
   /// The least and the largest that a particle of the case can have [m].
   double least_smoothing_length() const {
     return smoothing_length() * (smoothing.varies() ? smoothing.least : 1.0);

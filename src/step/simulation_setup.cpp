@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "smoothing/viscous_stiffness.hpp"
+
 namespace moraine {
 
 SearchSettings search_settings(Model const& model) {
@@ -47,6 +49,7 @@ SweepParameters sweep_parameters(Model const& model) {
   p.of_pair = model.numerics.smoothing.of_pair;
   p.viscosity_alpha = model.numerics.viscosity_alpha;
   p.viscosity_beta = model.numerics.viscosity_beta;
+  p.viscous_signal = viscous_signal(model.numerics.kernel, model.dimension);
   p.density_diffusion = model.numerics.density_diffusion;
   p.gravity = model.gravity;
   for (std::size_t axis = 0; axis < 3; ++axis)

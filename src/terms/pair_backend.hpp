@@ -26,7 +26,8 @@ enum class SchemeName : std::uint8_t { liquid, compressible, variable };
 
 /// What one sweep tells besides the rates it leaves in the store.
 struct SweepOutcome {
-  /// Largest c + 0.6 (alpha c + beta max|mu|) [m/s], each by its own h over that of the case.
+  /// Largest c + s (alpha c + beta max|mu|) [m/s], s the viscous_signal of the parameters, each by
+  /// its own h over that of the case.
   double signal_speed = 0.0;
   std::size_t particle = 0;            // whose, index in the store
   std::array<double, 3> wall_force{};  // force of all walls on the fluid [N]

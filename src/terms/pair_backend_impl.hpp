@@ -252,8 +252,9 @@ class PairBackendImpl final : public PairBackend {
       density_rate[i] = sum_of_lanes(sum.density_rate);
       energy_rate[i] = sum_of_lanes(sum.energy_rate);
       double const mu = largest_lane(-sum.approach_speed);
-      double const signal = sound_speed[i] + 0.6 * (parameters_.viscosity_alpha * sound_speed[i] +
-                                                    parameters_.viscosity_beta * mu);
+      double const signal = sound_speed[i] + parameters_.viscous_signal *
+                                                 (parameters_.viscosity_alpha * sound_speed[i] +
+                                                  parameters_.viscosity_beta * mu);
       outcome.include(signal * parameters_.smoothing_length / own_smoothing(i), i);
     };
     for_each_sum(search, begin, end, fluid_terms<Number, D>(parameters_),

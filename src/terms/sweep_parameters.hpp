@@ -16,6 +16,7 @@ struct SweepParameters {
   double position_scale = 1.0;                // metres per fixed-point unit
   double viscosity_alpha = 0.0;               // [-]
   double viscosity_beta = 0.0;                // [-]
+  double viscous_signal = 0.6;                // share of alpha c + beta |mu| in the signal speed
   double density_diffusion = 0.0;             // delta [-]
   std::array<double, 3> gravity{};            // m/s^2
   std::array<double, 3> hydrostatic_slope{};  // g / c_0^2 [1/m]

@@ -28,6 +28,7 @@ bool has_round_values(double low, double high) {
 
 Step round_step(double length, int most) {
   double const raw = length / std::max(most, 1);
+  if (!(raw > 0.0) || !std::isfinite(raw)) return {0.0, 0};
   int const exponent = static_cast<int>(std::floor(std::log10(raw)));
   double const power = std::pow(10.0, exponent);
   for (double const factor : {1.0, 2.0, 2.5, 5.0})
