@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <stdexcept>
 #include <system_error>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "output/motion/motion_pictures.hpp"
 #include "records/record_writer.hpp"
 #include "records/response_spectrum.hpp"
+#include "records/spectral_measures.hpp"
 
 namespace moraine {
 namespace {
@@ -32,6 +34,15 @@ Examples:
   moraine motion quake.csv --pga "0.2 g0" --until "15 s" --baseline rest --plot quake.svg --json
   moraine motion quake.csv --time-scale 0.25 --write model.AT2 --write-displacement table-motion.csv
   moraine motion quake.csv model.AT2 --csv --write-spectra spectra.csv --write-frequencies frequencies.csv
+)";
+
+constexpr char const* synthesis_examples =
+    R"(Noise is filtered until PGA, PGV/PGA and the predominant period are met; the fit is printed. A motion
+that is off by more than 0.5 % is written all the same, with a message and exit code 1.
+
+Examples:
+  moraine motion synthesise --pga "0.35 g0" --pgv-pga "28 ms" --predominant-period "0.14 s" --json
+  moraine motion synthesise --pga "0.35 g0" --pgv-pga "0.174 s" --predominant-period "0.54 s" --duration "30 s" --seed 7 --write low.AT2
 )";
 
 bool is_at2(std::string const& file) {
@@ -95,12 +106,26 @@ void warn_of_drift(GroundRecord const& record) {
       record.name, last, std::fabs(path.velocity.back()));
 }
 
+/// A predominant period at an end of where it is looked for is none.
+void warn_of_period(MeasuredMotion const& motion) {
+  double const found = motion.measures.predominant_period;
+  double const shortest = shortest_predominant_period(motion.record.time_step);
+  if (found > 1.01 * shortest && found < 0.99 * longest_predominant_period) return;
+  fmt::print(stderr,
+             "warning: {}: the pseudo acceleration is largest at {:.3g} s, an end of the periods "
+             "looked at ({:.3g} to {:g} s); the predominant period may lie outside\n",
+             motion.record.name, found, shortest, longest_predominant_period);
+}
+
 void check_outputs(MotionOptions const& options, UnitOptions& input) {
   MotionOutputs const& out = options.out;
   input.check_output("--write", out.record, out.force);
   input.check_output("--write-displacement", out.displacement, out.force);
   input.check_output("--write-spectra", out.spectra, out.force);
   input.check_output("--write-frequencies", out.frequencies, out.force);
+  if (!out.plot.empty())
+    for (auto const& file : motion_pictures(out.plot))
+      input.check_output("--plot", file.string(), out.force);
   if (options.records.files.size() > 1)
     for (auto const& [option, file] :
          {std::pair{"--write", out.record}, std::pair{"--write-displacement", out.displacement}})
@@ -127,10 +152,17 @@ int measure_records(MotionOptions const& options) {
   input.raise();
 
   std::vector<GroundRecord> const records = without_files(files);
+  warn_of_peaks(records);
   std::vector<MeasuredMotion> motions;
-  for (GroundRecord const& record : records) {
-    motions.push_back(measured_motion(record));
-    warn_of_drift(record);
+  for (auto const& [file, record] : files) try {
+      motions.push_back(measured_motion(record));
+    } catch (std::invalid_argument const& error) {
+      input.add(file, error.what());
+    }
+  input.raise();
+  for (MeasuredMotion const& motion : motions) {
+    warn_of_drift(motion.record);
+    warn_of_period(motion);
   }
   if (options.out.json)
     fmt::print("{}\n", measures_as_json(motions).dump(2));
@@ -149,6 +181,7 @@ int measure_records(MotionOptions const& options) {
 void add_synthesis(CLI::App& motion, MotionOptions& options) {
   auto* command = motion.add_subcommand(
       "synthesise", "make a motion with wanted measures, out of filtered noise");
+  command->alias("synthesize");
   SynthesisOptions& s = options.synthesis;
   command->add_option("--pga", s.pga, "largest acceleration, for example \"0.35 g0\"")->required();
   command->add_option("--pgv-pga", s.velocity_ratio, "PGV/PGA, for example \"0.096 s\"")
@@ -164,7 +197,11 @@ void add_synthesis(CLI::App& motion, MotionOptions& options) {
   command->add_option("--stay", s.stay, "part of the duration after which it falls")
       ->capture_default_str();
   command->add_option("--seed", s.seed, "of the noise; the same seed gives the same motion")
+      ->check([](std::string const& text) {
+        return text.starts_with('-') ? text + " is negative" : std::string();
+      })
       ->capture_default_str();
+  command->footer(synthesis_examples);
   add_motion_outputs(*command, options.out);
 }
 

@@ -1,10 +1,13 @@
 #include "app/record_options.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 
+#include "base/gravity.hpp"
 #include "records/processing.hpp"
 #include "records/record_reader.hpp"
 
@@ -20,7 +23,7 @@ Processing processing_of(RecordOptions const& options, UnitOptions& input) {
   p.low_pass = input.positive("--low-pass", options.low_pass, Quantity::frequency);
   p.time_scale = options.time_scale;
   if (!(options.time_scale > 0.0) || !std::isfinite(options.time_scale))
-    input.mistake("--time-scale", std::to_string(options.time_scale), "is not positive");
+    input.mistake("--time-scale", fmt::format("{:g}", options.time_scale), "is not positive");
   p.time_step = input.positive("--resample", options.resample, Quantity::time);
   p.interpolation = options.straight_lines ? Interpolation::linear : Interpolation::band_limited;
   auto const found = std::find(baseline_names.begin(), baseline_names.end(), options.baseline);
@@ -88,6 +91,17 @@ std::vector<FileRecord> read_records(RecordOptions const& options, UnitOptions& 
   for (FileRecord& entry : records)
     if (uses[entry.record.name] > 1) entry.record.name = entry.file;
   return records;
+}
+
+void warn_of_peaks(std::vector<GroundRecord> const& records) {
+  constexpr double believable = 5.0;  // g; the largest so far is about 4, Iwate-Miyagi 2008
+  for (GroundRecord const& record : records)
+    if (double const peak = peak_of(record, record.acceleration).value / standard_gravity;
+        peak > believable)
+      fmt::print(stderr,
+                 "warning: {}: a peak of {:.3g} g is more than any earthquake had; is the unit of "
+                 "the record right?\n",
+                 record.name, peak);
 }
 
 std::vector<GroundRecord> without_files(std::vector<FileRecord> const& records) {

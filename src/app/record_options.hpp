@@ -38,6 +38,10 @@ struct FileRecord {
 /// Those whose names are the same are called by their files.
 std::vector<FileRecord> read_records(RecordOptions const& options, UnitOptions& input);
 
+/// Says on stderr of records whose peak is above all that were recorded that their unit may be
+/// wrong.
+void warn_of_peaks(std::vector<GroundRecord> const& records);
+
 /// The records alone.
 std::vector<GroundRecord> without_files(std::vector<FileRecord> const& records);
 

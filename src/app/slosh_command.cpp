@@ -46,6 +46,11 @@ Request read_request(SloshOptions const& o, UnitOptions& input) {
   take(tank.width, "--width", o.width, Quantity::length);
   take(tank.density, "--density", o.density, Quantity::density);
   take(tank.gravity, "--gravity", o.gravity, Quantity::acceleration);
+  if (tank.length > 0.0 && tank.depth > 0.0) try {
+      check_tank(tank);
+    } catch (std::invalid_argument const& error) {
+      input.add(command_name, error.what());
+    }
   request.freeboard = input.positive("--freeboard", o.freeboard, Quantity::length).value_or(0.0);
   request.report.modes = o.modes;
   ResponseSettings& settings = request.report.settings;
@@ -71,6 +76,7 @@ void check_outputs(SloshOptions const& o, UnitOptions& input) {
     input.mistake("--write", fmt::format("\"{}\"", o.history), "is one file for several records",
                   "give one record");
   input.check_output("--write", o.history, o.force);
+  input.check_output("--plot", o.plot, o.force);
   if (o.json && o.csv) input.mistake("--csv", "", "is given together with --json");
 }
 
@@ -90,6 +96,7 @@ int report_tank(SloshOptions const& options) {
     fmt::print("{}\n", tank_as_json(report).dump(2));
   else
     fmt::print("{}", options.csv ? tank_as_csv(report) : tank_as_text(report));
+  warn_of_peaks(request.records);
   for (std::string const& doubt : response_doubts(report, request.freeboard))
     fmt::print(stderr, "warning: {}\n", doubt);
   if (!options.history.empty())

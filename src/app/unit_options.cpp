@@ -51,8 +51,13 @@ void UnitOptions::add(std::string const& file, std::string const& rule, std::str
 }
 
 void UnitOptions::check_output(std::string const& option, std::string const& file, bool force) {
+  if (file.empty()) return;
   std::error_code ignored;
-  if (file.empty() || force || !std::filesystem::exists(file, ignored)) return;
+  auto const place = std::filesystem::absolute(file, ignored).lexically_normal();
+  if (auto const [other, first] = outputs_.try_emplace(place, option); !first)
+    mistake(option, fmt::format("\"{}\"", file), "is what " + other->second + " writes too",
+            "name another file");
+  if (force || !std::filesystem::exists(file, ignored)) return;
   mistake(option, fmt::format("\"{}\"", file), "exists and is not overwritten",
           "name another file or add --force");
 }

@@ -1,6 +1,8 @@
 // Values of options with units, and all mistakes in them together.
 #pragma once
 
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,7 +33,8 @@ class UnitOptions {
   void add(InputErrors const& errors);
   void add(std::string const& file, std::string const& rule, std::string const& hint = {});
 
-  /// Says of an output that exists that it is not overwritten, unless it may be.
+  /// Says of an output that exists that it is not overwritten, unless it may be, and of one that
+  /// another option names too that it is.
   void check_output(std::string const& option, std::string const& file, bool force);
 
   /// Throws InputErrors if there are mistakes.
@@ -42,6 +45,7 @@ class UnitOptions {
 
   std::string command_;
   std::vector<InputProblem> problems_;
+  std::map<std::filesystem::path, std::string> outputs_;  // and their options
 };
 
 /// Writes a file, complete or not at all; throws OutputError.

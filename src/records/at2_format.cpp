@@ -29,13 +29,16 @@ std::vector<double> numbers_in(std::string text) {
   return numbers;
 }
 
-/// "G" of "ACCELERATION TIME HISTORY IN UNITS OF G".
-std::string unit_in(std::string const& header) {
+/// "G" of "ACCELERATION TIME HISTORY IN UNITS OF G. FILTER POINTS: HP=0.2 Hz LP=27.0 Hz".
+std::string unit_in(std::string_view header) {
   constexpr std::string_view lead = "UNITS OF ";
-  auto const place = header.find(lead);
+  auto const place = upper(header).find(lead);
   if (place == std::string::npos) return {};
-  auto const words = words_of(std::string_view(header).substr(place + lead.size()));
-  return words.empty() ? std::string() : std::string(words.front());
+  std::string_view unit = header.substr(place + lead.size());
+  unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
+  unit = unit.substr(0, unit.find_first_of(" ,;\t("));
+  while (unit.ends_with('.') || unit.ends_with(':')) unit.remove_suffix(1);
+  return std::string(unit);
 }
 
 }  // namespace
@@ -51,11 +54,13 @@ FiledRecord read_at2(std::vector<TextLine> const& lines, std::size_t header_end,
   FiledRecord record;
   for (std::size_t i = 0; i < header_end; ++i) {
     std::string const line = upper(lines[i].text);
-    if (record.unit.empty()) record.unit = unit_in(line);
+    if (record.unit.empty()) record.unit = unit_in(lines[i].text);
     for (auto const* other : {"VELOCITY", "DISPLACEMENT"})
-      if (line.find(other) != std::string::npos && line.find("ACCELERATION") == std::string::npos)
-        mistakes.add(lines[i].number, fmt::format("\"{}\"", lines[i].text),
-                     "does not speak of acceleration", "give the record's .AT2 file");
+      if (line.find(other) != std::string::npos && line.find("ACCELERATION") == std::string::npos) {
+        record.another_quantity = true;
+        mistakes.add(lines[i].number, quoted_word(lines[i].text), "does not speak of acceleration",
+                     "give the record's .AT2 file");
+      }
   }
   for (std::size_t i = header_end + 1; i < lines.size(); ++i)
     add_numbers(lines[i], record.values, mistakes);
@@ -64,7 +69,7 @@ FiledRecord read_at2(std::vector<TextLine> const& lines, std::size_t header_end,
   bool const whole = numbers.size() >= 2 && numbers[0] >= 0.0 && numbers[0] < 1e9 &&
                      std::floor(numbers[0]) == numbers[0];
   if (!whole || !(numbers[1] > 0.0)) {
-    mistakes.add(last.number, fmt::format("\"{}\"", last.text),
+    mistakes.add(last.number, quoted_word(last.text),
                  "does not hold the number of values and the time step",
                  "write NPTS= 4000, DT= .0050 SEC");
     return record;

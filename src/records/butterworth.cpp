@@ -1,5 +1,7 @@
 #include "records/butterworth.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +11,8 @@
 
 namespace moraine {
 namespace {
+
+constexpr double most_ringing_steps = 1e7;  // after the record: 80 MB
 
 /// y_i = b_0 x_i + b_1 x_(i-1) + b_2 x_(i-2) - a_1 y_(i-1) - a_2 y_(i-2)
 struct Section {
@@ -45,26 +49,32 @@ std::vector<Section> sections_of(Butterworth const& filter, double time_step) {
   return sections;
 }
 
-/// Steps in which the slowest pole falls below 1e-12.
-std::size_t ringing_steps(Butterworth const& filter, double time_step) {
-  double const slowest = std::sin(std::numbers::pi / (2.0 * filter.order));
-  return static_cast<std::size_t>(
-      std::ceil(28.0 / (2.0 * std::numbers::pi * filter.corner * slowest * time_step)));
+/// Steps, times the corner and the time step, in which the slowest pole falls below 1e-12.
+double ringing_cycles(int order) {
+  return 28.0 / (2.0 * std::numbers::pi * std::sin(std::numbers::pi / (2.0 * order)));
 }
 
 }  // namespace
 
 GroundRecord filtered(GroundRecord record, Butterworth const& filter) {
   check_record(record);
-  if (!(filter.corner > 0.0 && filter.corner * record.time_step < 0.5))
-    throw std::invalid_argument(
-        "Butterworth filter: the corner must lie between 0 and half of one over the time step");
   if (filter.order < 1 || filter.order > 8)
     throw std::invalid_argument("Butterworth filter: the order must be 1 to 8");
+  double const cycles = ringing_cycles(filter.order);
+  double const lowest = cycles / (most_ringing_steps * record.time_step);
+  double const highest = 0.5 / record.time_step;
+  if (!(filter.corner >= lowest && filter.corner < highest))
+    throw std::invalid_argument(fmt::format(
+        "Butterworth filter: the corner, {:.4g} Hz, must lie between {:.2g} Hz and half "
+        "of one over the time step, {:.4g} Hz",
+        filter.corner, lowest, highest));
   std::vector<double>& values = record.acceleration;
   std::size_t const count = values.size();
   bool const back = filter.passes == Passes::both_ways;
-  if (back) values.resize(count + ringing_steps(filter, record.time_step), 0.0);
+  if (back)
+    values.resize(
+        count + static_cast<std::size_t>(std::ceil(cycles / (filter.corner * record.time_step))),
+        0.0);
   auto const sections = sections_of(filter, record.time_step);
   for (Section const& section : sections) section.apply(values);
   if (back) {

@@ -34,8 +34,8 @@ Heading heading_of(std::string_view word) {
 /// Whether more of the words are words than numbers.
 bool is_words(TextLine const& line) {
   auto const words = words_of(line.text);
-  auto const numbers = std::count_if(words.begin(), words.end(), [](std::string_view word) {
-    return number_of(word).has_value();
+  auto const numbers = std::count_if(words.begin(), words.end(), [&](std::string_view word) {
+    return number_of(word).has_value() || has_decimal_comma(word, line.text);
   });
   return 2 * static_cast<std::size_t>(numbers) < words.size();
 }
@@ -100,6 +100,11 @@ class ColumnReader {
     heading_line_ = line.number;
     record_.unit = unit_of(words[1]);
     Heading const time = heading_of(words[0]);
+    if (is_another_quantity(words[1])) {
+      record_.another_quantity = true;
+      mistakes_.add(line.number, quoted_word(words[1]), "is no acceleration",
+                    "give the accelerations of the record, in a unit like g or m/s^2");
+    }
     if (time.unit.empty() || record_.unit.empty()) return;
     if (auto const factor = to_si("1 " + time.unit, Quantity::time); factor.value)
       time_unit_ = *factor.value;
@@ -130,6 +135,17 @@ class ColumnReader {
     return acceleration_unit(heading.unit) ? heading.unit : std::string();
   }
 
+  /// Whether a heading bears a unit of velocity or displacement.
+  static bool is_another_quantity(std::string_view word) {
+    Heading const heading = heading_of(word);
+    if (heading.unit.empty() || number_of(heading.name) || acceleration_unit(heading.unit))
+      return false;
+    auto const is = [&](Quantity quantity) {
+      return to_si("1 " + heading.unit, quantity).value.has_value();
+    };
+    return is(Quantity::velocity) || is(Quantity::length);
+  }
+
   bool times_increase() const {
     double before = -std::numeric_limits<double>::infinity();
     for (TextLine const& line : lines_) {
@@ -145,7 +161,7 @@ class ColumnReader {
     for (TextLine const& line : lines_) {
       auto const words = words_of(line.text);
       if (words.size() != 2) {
-        mistakes_.add_one_of_many(line.number, fmt::format("\"{}\"", line.text),
+        mistakes_.add_one_of_many(line.number, quoted_word(line.text),
                                   "is not a time and an acceleration", "lines of another length");
         continue;
       }
@@ -178,8 +194,15 @@ void add_numbers(TextLine const& line, std::vector<double>& values, RecordMistak
   for (auto const word : words_of(line.text)) {
     auto const number = number_of(word);
     if (!number)
-      mistakes.add_one_of_many(line.number, fmt::format("\"{}\"", word), "is not a finite number",
+      mistakes.add_one_of_many(line.number, quoted_word(word),
+                               has_decimal_comma(word, line.text)
+                                   ? "is not a finite number: decimals follow a point, not a comma"
+                                   : "is not a finite number",
                                "words that are no numbers");
+    else if (has_decimal_comma(word, line.text))
+      mistakes.add_one_of_many(line.number, quoted_word(line.text),
+                               "has commas inside of numbers: decimals follow a point",
+                               "lines with decimal commas");
     values.push_back(number.value_or(0.0));
   }
 }

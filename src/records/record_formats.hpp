@@ -13,7 +13,8 @@ struct FiledRecord {
   double start = 0.0;      // s
   double time_step = 0.0;  // s; 0 where the file does not say
   std::vector<double> values;
-  std::string unit;  // as written; empty where the file does not say
+  std::string unit;               // as written; empty where the file does not say
+  bool another_quantity = false;  // velocities or displacements, which is a mistake
 };
 
 /// The line of an AT2 file that holds NPTS and DT, counted in `lines`; nothing for other texts.

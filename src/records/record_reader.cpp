@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -36,6 +37,7 @@ double unit_of(FiledRecord const& filed, RecordHints const& hints, RecordMistake
                  "choose g, m/s2 or cm/s2");
     return 1.0;
   }
+  if (filed.another_quantity) return 1.0;  // told already
   if (filed.unit.empty() && !told) {
     mistakes.add(
         0, "",
@@ -75,12 +77,21 @@ std::optional<double> acceleration_unit(std::string_view unit) {
   if (unit.empty()) return std::nullopt;
   if (unit == "g" || unit == "G" || unit == "g0") return standard_gravity;
   if (unit == "gal" || unit == "Gal" || unit == "GAL") return 0.01;
-  auto const value = to_si(fmt::format("1 {}", unit), Quantity::acceleration).value;
+  std::string text(unit);
+  for (auto power = text.find("**"); power != std::string::npos; power = text.find("**"))
+    text.replace(power, 2, "^");
+  auto value = to_si("1 " + text, Quantity::acceleration).value;
+  if (!value) {  // headers shout: "CM/SEC/SEC"
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    value = to_si("1 " + text, Quantity::acceleration).value;
+  }
   return value && *value > 0.0 ? value : std::nullopt;
 }
 
 GroundRecord parse_record(std::string_view text, std::string const& name,
                           RecordHints const& hints) {
+  if (!is_text(text)) refuse(name, "is not a text", "save it as plain text (UTF-8)");
   RecordMistakes mistakes(name);
   auto const lines = lines_of(text);
   auto const header_end = at2_header_end(lines);

@@ -17,7 +17,8 @@ struct RecordHints {
 };
 
 /// What one of a unit of acceleration is [m/s^2]: "g" and "g0" (standard gravity), "gal", or any
-/// acceleration that UDUNITS-2 knows ("m/s2", "cm/s^2"). Nothing for other texts.
+/// acceleration that UDUNITS-2 knows ("m/s2", "cm/s^2"), in capitals too ("CM/SEC/SEC"). Nothing
+/// for other texts.
 std::optional<double> acceleration_unit(std::string_view unit);
 
 /// Reads a record from a text, one of
@@ -31,9 +32,9 @@ std::optional<double> acceleration_unit(std::string_view unit);
 /// states another one than the hints is refused. `name` stands in messages, its stem becomes the
 /// name of the record.
 ///
-/// Throws InputErrors with all mistakes: words or infinities among the numbers, another count than
-/// NPTS, gaps and uneven steps of time, no unit, no step, fewer than two values, a velocity or
-/// displacement instead of an acceleration.
+/// Throws InputErrors with all mistakes: no text, words, infinities or decimal commas among the
+/// numbers, another count than NPTS, gaps and uneven steps of time, no unit, no step, fewer than
+/// two values, a velocity or displacement instead of an acceleration.
 GroundRecord parse_record(std::string_view text, std::string const& name, RecordHints const& hints);
 
 /// The same from a file of at most 100 MB. Throws InputErrors also where it cannot be read.

@@ -12,16 +12,16 @@ namespace {
 constexpr std::size_t told_one_by_one = 10;
 
 std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blank = " \t\r\n\f\v";
+  constexpr std::string_view blank = " \t\r\n\f\v\x1a";
   auto const first = text.find_first_not_of(blank);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
-std::vector<std::string_view> split(std::string_view line, std::string_view separators) {
+std::vector<std::string_view> split(std::string_view line, char separator) {
   std::vector<std::string_view> words;
   for (;;) {
-    auto const end = line.find_first_of(separators);
+    auto const end = line.find(separator);
     words.push_back(trimmed(line.substr(0, end)));
     if (end == std::string_view::npos) return words;
     line.remove_prefix(end + 1);
@@ -47,18 +47,32 @@ std::vector<TextLine> lines_of(std::string_view text) {
   return lines;
 }
 
+bool is_text(std::string_view text) {
+  constexpr std::string_view allowed = "\t\n\v\f\r\x1a";  // the last ends files of DOS
+  return std::all_of(text.begin(), text.end(), [&](char c) {
+    return static_cast<unsigned char>(c) >= 0x20 || allowed.find(c) != std::string_view::npos;
+  });
+}
+
+std::string quoted_word(std::string_view word) {
+  constexpr std::size_t most = 60;
+  if (word.size() <= most) return fmt::format("\"{}\"", word);
+  return fmt::format("\"{}...\"", word.substr(0, most));
+}
+
 bool is_comment(TextLine const& line) {
   return std::string_view("#%!").find(line.text.front()) != std::string_view::npos;
 }
 
 std::vector<std::string_view> words_of(std::string_view line) {
-  if (line.find_first_of(",;\t") != std::string_view::npos) {
-    auto words = split(line, ",;\t");
+  for (char const separator : {';', '\t', ','}) {
+    if (line.find(separator) == std::string_view::npos) continue;
+    auto words = split(line, separator);
     if (words.size() > 1 && words.back().empty()) words.pop_back();  // "1, 2,"
     return words;
   }
   std::vector<std::string_view> words;
-  for (auto const word : split(line, " ")) {
+  for (auto const word : split(line, ' ')) {
     if (word.empty()) continue;
     if (!words.empty() && (word.front() == '(' || word.front() == '['))
       words.back() = joined(words.back(), word);
@@ -77,6 +91,17 @@ std::optional<double> number_of(std::string_view word) {
   auto const [end, error] = std::from_chars(text.data(), last, value);
   if (error != std::errc{} || end != last || !std::isfinite(value)) return std::nullopt;
   return value;
+}
+
+bool has_decimal_comma(std::string_view word, std::string_view line) {
+  auto const comma = word.find(',');
+  if (comma == std::string_view::npos)
+    return word.size() > 1 && word.front() == '0' &&
+           word.find_first_not_of("0123456789 ") == std::string_view::npos &&
+           line.find(',') != std::string_view::npos;
+  std::string with_point(word);
+  with_point[comma] = '.';
+  return number_of(with_point).has_value();
 }
 
 void RecordMistakes::add(std::size_t line, std::string value, std::string rule, std::string hint) {

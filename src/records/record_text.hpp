@@ -21,12 +21,23 @@ std::vector<TextLine> lines_of(std::string_view text);
 /// Whether a line is a comment.
 bool is_comment(TextLine const& line);
 
-/// Words of a line: between commas, semicolons or tabs where it has one, else between blanks;
-/// "(unit)" and "[unit]" stay with the word before them.
+/// Whether a text holds no control characters but blanks and ends of lines, so that it is safe to
+/// show. UTF-16 is no text here.
+bool is_text(std::string_view text);
+
+/// Words of a line: between semicolons, tabs or commas, the first of them that it has, else between
+/// blanks; "(unit)" and "[unit]" stay with the word before them.
 std::vector<std::string_view> words_of(std::string_view line);
+
+/// A word in quotes for a message, cut after 60 bytes.
+std::string quoted_word(std::string_view word);
 
 /// A finite number, as C or Fortran writes it ("1.5e-3", "1.5D-03", "+.5").
 std::optional<double> number_of(std::string_view word);
+
+/// Whether a word is a number but for a decimal comma ("0,35"), or is what follows one in a line
+/// that was split at its commas ("05", "05 1").
+bool has_decimal_comma(std::string_view word, std::string_view line);
 
 /// Mistakes in a record, at most ten of a kind one by one.
 class RecordMistakes {

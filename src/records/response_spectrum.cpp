@@ -23,9 +23,17 @@ class PeakFinder {
       double const next = before + (after - before) * (part / parts_);
       state_ = oscillator_.advance(state_, a, next);
       a = next;
-      displacement_ = std::max(displacement_, std::fabs(state_.displacement));
-      velocity_ = std::max(velocity_, std::fabs(state_.velocity));
-      acceleration_ = std::max(acceleration_, std::fabs(oscillator_.absolute_acceleration(state_)));
+      look();
+    }
+  }
+
+  /// A period over resting ground, after the record.
+  void swing_on(double period, double damping) {
+    constexpr int steps = 100;
+    Oscillator const free(2.0 * std::numbers::pi / period, damping, period / steps);
+    for (int i = 0; i < steps; ++i) {
+      state_ = free.advance(state_, 0.0, 0.0);
+      look();
     }
   }
 
@@ -36,6 +44,12 @@ class PeakFinder {
   }
 
  private:
+  void look() {
+    displacement_ = std::max(displacement_, std::fabs(state_.displacement));
+    velocity_ = std::max(velocity_, std::fabs(state_.velocity));
+    acceleration_ = std::max(acceleration_, std::fabs(oscillator_.absolute_acceleration(state_)));
+  }
+
   double parts_;
   Oscillator oscillator_;
   OscillatorState state_;
@@ -52,7 +66,7 @@ SpectralResponse spectral_response(GroundRecord const& record, double period, do
   PeakFinder finder(period, damping, record.time_step, instants);
   for (std::size_t i = 1; i < record.size(); ++i)
     finder.step(record.acceleration[i - 1], record.acceleration[i]);
-  for (double after = 0.0; after < period; after += record.time_step) finder.step(0.0, 0.0);
+  finder.swing_on(period, damping);
   return finder.result(period);
 }
 

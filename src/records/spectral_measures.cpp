@@ -74,8 +74,13 @@ SpectrumIntensities spectrum_intensities(GroundRecord const& record) {
   return result;
 }
 
+double shortest_predominant_period(double time_step) {
+  return std::max(0.02, shortest_period(time_step));
+}
+
 double predominant_period(GroundRecord const& record) {
-  double const first = std::max(0.02, shortest_period(record.time_step)), last = 4.0;
+  double const first = shortest_predominant_period(record.time_step);
+  double const last = longest_predominant_period;
   if (!(first < last))
     throw std::invalid_argument("predominant period: the time step is too coarse");
   std::vector<double> const periods = periods_between(first, last, 0.01);

@@ -15,9 +15,12 @@ struct SpectrumIntensities {
 /// All three. Von Thun et al., ASCE Geotech. Spec. Publ. 20 (1988) 115.
 SpectrumIntensities spectrum_intensities(GroundRecord const& record);
 
-/// The period with the largest pseudo acceleration at 5 % damping [s], from five time steps (at
-/// least 0.02 s) to 4 s, to 0.01 %: the best of periods at equal ratios of 1 %, refined between its
-/// neighbours.
+/// The periods [s] between which the predominant one is looked for.
+double shortest_predominant_period(double time_step);  // five time steps, at least 0.02 s
+inline constexpr double longest_predominant_period = 4.0;
+
+/// The period with the largest pseudo acceleration at 5 % damping [s] in that range, to 0.01 %: the
+/// best of periods at equal ratios of 1 %, refined between its neighbours.
 double predominant_period(GroundRecord const& record);
 
 /// A quick look for it between a quarter and four times `about` [s]: right to 3 % where it lies

@@ -1,5 +1,7 @@
 #include "sloshing/rigid_tank.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -9,10 +11,12 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// (cosh x - 2) / sinh x without overflow.
-double floor_share(double x) {
+constexpr double steepest_ratio = 1e4;  // of length and depth, either way
+
+/// (cosh x - c) / sinh x without overflow.
+double floor_share(double x, double c) {
   double const e = std::exp(-x);
-  return (1.0 + e * e - 4.0 * e) / (1.0 - e * e);
+  return (1.0 + e * e - 2.0 * c * e) / (1.0 - e * e);
 }
 
 }  // namespace
@@ -22,6 +26,10 @@ void check_tank(RigidTank const& tank) {
     if (!(value > 0.0) || !std::isfinite(value))
       throw std::invalid_argument(
           "rigid tank: length, depth, width, density and gravity must be positive");
+  double const ratio = tank.length / tank.depth;
+  if (!(ratio <= steepest_ratio * (1.0 + 1e-12) && ratio * steepest_ratio >= 1.0 - 1e-12))
+    throw std::invalid_argument(fmt::format("rigid tank: length over depth must be {:g} to {:g}",
+                                            1.0 / steepest_ratio, steepest_ratio));
 }
 
 double SloshingMode::frequency() const { return angular_frequency / (2.0 * pi); }
@@ -38,7 +46,7 @@ SloshingMode sloshing_mode(RigidTank const& tank, int number) {
   mode.angular_frequency = std::sqrt(tank.gravity * k * std::tanh(k * d));
   if (number % 2 == 1)
     mode.mass = tank.mass() * 8.0 * std::tanh(k * d) / (std::pow(number * pi, 3) * d / tank.length);
-  mode.height = {d - std::tanh(0.5 * k * d) / k, d - floor_share(k * d) / k};
+  mode.height = {d - std::tanh(0.5 * k * d) / k, d - floor_share(k * d, 2.0) / k};
   mode.spring_height = d - 2.0 * std::tanh(0.5 * k * d) / k;
   return mode;
 }
@@ -74,8 +82,8 @@ HousnerTank housner_tank(RigidTank const& tank) {
   housner.impulsive.height = {d * (ratio < 4.0 / 3.0 ? 0.5 - 0.09375 * ratio : 0.375),
                               d * (ratio < 0.75 ? 0.45 : 0.5 * x / std::tanh(x) - 0.125)};
   housner.convective_mass = m * 0.264 * ratio * std::tanh(y);
-  housner.convective_height = {d * (1.0 - (std::cosh(y) - 1.0) / (y * std::sinh(y))),
-                               d * (1.0 - (std::cosh(y) - 2.01) / (y * std::sinh(y)))};
+  housner.convective_height = {d * (1.0 - std::tanh(0.5 * y) / y),
+                               d * (1.0 - floor_share(y, 2.01) / y)};
   housner.convective_angular_frequency =
       std::sqrt(3.16 * tank.gravity / tank.length * std::tanh(y));
   return housner;

@@ -16,7 +16,8 @@ struct RigidTank {
   double mass() const { return density * length * depth * width; }  // kg
 };
 
-/// Throws std::invalid_argument unless all of these are positive and finite.
+/// Throws std::invalid_argument unless all of these are positive and finite, and length and depth
+/// within a factor of 10 000 of each other.
 void check_tank(RigidTank const& tank);
 
 /// How high above the floor a horizontal force acts [m]: with the pressure on the walls alone (for

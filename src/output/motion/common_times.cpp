@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/gravity.hpp"
+
 namespace moraine {
 
 std::vector<double> common_times(std::vector<GroundRecord> const& records) {
@@ -19,6 +21,11 @@ std::vector<double> common_times(std::vector<GroundRecord> const& records) {
   std::vector<double> times(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < times.size(); ++i) times[i] = start + static_cast<double>(i) * step;
   return times;
+}
+
+std::vector<double> in_g(std::vector<double> accelerations) {
+  for (double& a : accelerations) a /= standard_gravity;
+  return accelerations;
 }
 
 std::vector<double> at_times(GroundRecord const& record, std::vector<double> const& history,

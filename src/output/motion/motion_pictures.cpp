@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
+#include "base/gravity.hpp"
 #include "output/motion/common_times.hpp"
 #include "output/plot/stacked_panels.hpp"
 #include "output/text_columns.hpp"
@@ -48,6 +50,24 @@ std::vector<double> at_frequencies(FrequencySpectrum const& spectrum,
   return values;
 }
 
+/// One for all records, or one for each of a few, which would hide each other.
+std::vector<CurvePanel> acceleration_panels(std::vector<GroundRecord> const& records,
+                                            std::vector<double> const& times) {
+  constexpr std::size_t few = 4;
+  CurvePanel const empty{"acceleration", "g", {}};
+  std::vector<CurvePanel> panels(records.size() <= few ? records.size() : 1, empty);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    std::vector<double> const values = in_g(records[i].acceleration);
+    largest = std::max(largest, peak_of(records[i], values).value);
+    panels[std::min(i, panels.size() - 1)].curves.push_back(
+        {records[i].name, at_times(records[i], values, times)});
+  }
+  if (panels.size() > 1)
+    for (CurvePanel& panel : panels) panel.shown_values = {-largest, largest};
+  return panels;
+}
+
 std::filesystem::path with_suffix(std::filesystem::path const& base, std::string const& suffix) {
   std::filesystem::path result = base;
   return result.replace_filename(base.stem().string() + suffix + base.extension().string());
@@ -57,34 +77,36 @@ std::filesystem::path with_suffix(std::filesystem::path const& base, std::string
 
 void draw_ground_histories(std::filesystem::path const& out,
                            std::vector<GroundRecord> const& records) {
-  std::vector<CurvePanel> panels{
-      {"acceleration", "m/s^2", {}}, {"velocity", "m/s", {}}, {"displacement", "m", {}}};
   std::vector<double> const times = common_times(records);
+  std::vector<CurvePanel> panels = acceleration_panels(records, times);
+  CurvePanel velocity{"velocity", "m/s", {}}, displacement{"displacement", "m", {}};
   for (GroundRecord const& record : records) {
     GroundPath const path = integrate(record);
-    panels[0].curves.push_back({record.name, at_times(record, record.acceleration, times)});
-    panels[1].curves.push_back({record.name, at_times(record, path.velocity, times)});
-    panels[2].curves.push_back({record.name, at_times(record, path.displacement, times)});
+    velocity.curves.push_back({record.name, at_times(record, path.velocity, times)});
+    displacement.curves.push_back({record.name, at_times(record, path.displacement, times)});
   }
-  plot::draw_stacked_panels(out, "Ground motion", {"time", times}, "s", panels);
+  panels.push_back(std::move(velocity));
+  panels.push_back(std::move(displacement));
+  plot::draw_stacked_panels(out, "Ground motion", {"time", times}, "s", panels, plot::Scale::linear,
+                            1);
 }
 
 void draw_response_spectra(std::filesystem::path const& out,
                            std::vector<GroundRecord> const& records, SpectrumRange const& range) {
-  std::vector<CurvePanel> panels{{"pseudo acceleration", "m/s^2", {}},
+  std::vector<CurvePanel> panels{{"pseudo acceleration", "g", {}},
                                  {"relative velocity", "m/s", {}},
                                  {"relative displacement", "m", {}}};
   std::vector<double> const periods = periods_of(range);
   for (GroundRecord const& record : records) {
     auto const spectrum = response_spectrum(record, periods, range.damping);
     panels[0].curves.push_back(
-        {record.name, column(spectrum, &SpectralResponse::pseudo_acceleration)});
+        {record.name, in_g(column(spectrum, &SpectralResponse::pseudo_acceleration))});
     panels[1].curves.push_back({record.name, column(spectrum, &SpectralResponse::velocity)});
     panels[2].curves.push_back({record.name, column(spectrum, &SpectralResponse::displacement)});
   }
   plot::draw_stacked_panels(
       out, fmt::format("Response spectra, {:g} % of critical damping", 100.0 * range.damping),
-      {"period", periods}, "s", panels);
+      {"period", periods}, "s", panels, plot::Scale::logarithmic);
 }
 
 void draw_frequency_spectra(std::filesystem::path const& out,
@@ -105,15 +127,18 @@ void draw_frequency_spectra(std::filesystem::path const& out,
   plot::draw_stacked_panels(out, "Frequencies", {"frequency", frequencies}, "Hz", panels);
 }
 
+std::vector<std::filesystem::path> motion_pictures(std::filesystem::path const& base) {
+  return {base, with_suffix(base, "-spectra"), with_suffix(base, "-frequencies")};
+}
+
 std::vector<std::filesystem::path> draw_motions(std::filesystem::path const& base,
                                                 std::vector<GroundRecord> const& records,
                                                 SpectrumRange const& range) {
-  std::filesystem::path const spectra = with_suffix(base, "-spectra");
-  std::filesystem::path const frequencies = with_suffix(base, "-frequencies");
-  draw_ground_histories(base, records);
-  draw_response_spectra(spectra, records, range);
-  draw_frequency_spectra(frequencies, records);
-  return {base, spectra, frequencies};
+  std::vector<std::filesystem::path> files = motion_pictures(base);
+  draw_ground_histories(files[0], records);
+  draw_response_spectra(files[1], records, range);
+  draw_frequency_spectra(files[2], records);
+  return files;
 }
 
 std::string spectra_as_csv(std::vector<GroundRecord> const& records, SpectrumRange const& range) {

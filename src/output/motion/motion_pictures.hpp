@@ -16,17 +16,22 @@ struct SpectrumRange {
   double damping = 0.05;  // -
 };
 
-/// Acceleration, velocity and displacement of the ground over time, one line per record.
+/// Acceleration (up to four records: each in a panel of its own, all to the same scale), velocity
+/// and displacement of the ground over time, one line per record.
 void draw_ground_histories(std::filesystem::path const& out,
                            std::vector<GroundRecord> const& records);
 
-/// Pseudo acceleration, relative velocity and displacement of oscillators over their period.
+/// Pseudo acceleration, relative velocity and displacement of oscillators over the logarithm of
+/// their period.
 void draw_response_spectra(std::filesystem::path const& out,
                            std::vector<GroundRecord> const& records, SpectrumRange const& range);
 
 /// Fourier amplitude and power spectral density up to 25 Hz.
 void draw_frequency_spectra(std::filesystem::path const& out,
                             std::vector<GroundRecord> const& records);
+
+/// The files of draw_motions.
+std::vector<std::filesystem::path> motion_pictures(std::filesystem::path const& base);
 
 /// All three: `base` with its ending, and "-spectra" and "-frequencies" put before the ending.
 /// Returns the files. The ending must be .svg or .png, else std::invalid_argument.

@@ -89,9 +89,11 @@ void draw_legend(Canvas& canvas, std::vector<std::string> const& names,
 
 /// Rows and columns of panels on the page.
 struct Grid {
-  Grid(std::size_t panels, double margin)
+  Grid(std::size_t panels, std::size_t wanted_columns, double margin)
       : left_margin(margin),
-        columns(panels > 4 ? 2 : 1),
+        columns(wanted_columns > 0 ? wanted_columns
+                : panels > 4       ? 2
+                                   : 1),
         rows((panels + columns - 1) / columns),
         count(panels) {}
 
@@ -133,6 +135,7 @@ ScaledAxis value_axis(CurvePanel const& data) {
   bool const all = std::ranges::all_of(data.curves, faint);
   for (Curve const& curve : data.curves)
     if (all || !curve.faint) range.include(curve.values, data.scale);
+  range.include(data.shown_values, data.scale);
   range.close();
   return scaled_axis(range, data.scale, 0.06, data.quantity, data.unit);
 }
@@ -173,14 +176,14 @@ void draw_panel(Canvas& canvas, Page const& page, CurvePanel const& data, Rect c
 
 void draw_stacked_panels(std::filesystem::path const& out, std::string const& title, Curve const& x,
                          std::string const& x_unit, std::vector<CurvePanel> const& panels,
-                         Scale x_scale) {
+                         Scale x_scale, std::size_t columns) {
   Extremes range;
   range.include(x.values, x_scale);
   range.close();
   auto const [x_axis, factor] = scaled_axis(range, x_scale, 0.0, x.name, x_unit);
   Page const page{legend_names(panels), scaled(x.values, factor),
                   x_scale == Scale::linear ? rounded_out(x_axis) : x_axis,
-                  Grid(panels.size(), left_margin_for(panels))};
+                  Grid(panels.size(), columns, left_margin_for(panels))};
   Grid const& grid = page.grid;
 
   double const legend_width = grid.width() - grid.left_margin - right_margin;

@@ -22,12 +22,14 @@ struct CurvePanel {
   std::string unit;      // SI on a linear axis, which chooses a prefix; any on a logarithmic one
   std::vector<Curve> curves;
   Scale scale = Scale::linear;
+  std::vector<double> shown_values{};  // that the axis shows too
 };
 
-/// Draws panels of equal size below one another (in two columns for more than four) with a common
-/// legend on top. `x` is the common axis; its unit is like that of a panel.
+/// Draws panels of equal size below one another with a common legend on top. `x` is the common
+/// axis; its unit is like that of a panel. `columns`: 0 means two for more than four panels, else
+/// one.
 void draw_stacked_panels(std::filesystem::path const& out, std::string const& title, Curve const& x,
                          std::string const& x_unit, std::vector<CurvePanel> const& panels,
-                         Scale x_scale = Scale::linear);
+                         Scale x_scale = Scale::linear, std::size_t columns = 0);
 
 }  // namespace moraine::plot

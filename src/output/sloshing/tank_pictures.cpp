@@ -8,13 +8,13 @@ namespace moraine {
 void draw_tank_responses(std::filesystem::path const& out,
                          std::vector<TankResponse> const& responses) {
   std::vector<plot::CurvePanel> panels{
-      {"acceleration", "m/s^2", {}}, {"surface at +x wall", "m", {}}, {"force on tank", "N", {}}};
+      {"acceleration", "g", {}}, {"surface at +x wall", "m", {}}, {"force on tank", "N", {}}};
   std::vector<GroundRecord> records;
   for (TankResponse const& response : responses) records.push_back(response.ground);
   std::vector<double> const times = common_times(records);
   for (TankResponse const& r : responses) {
     std::string const& name = r.ground.name;
-    panels[0].curves.push_back({name, at_times(r.ground, r.ground.acceleration, times)});
+    panels[0].curves.push_back({name, at_times(r.ground, in_g(r.ground.acceleration), times)});
     panels[1].curves.push_back({name, at_times(r.ground, r.surface, times)});
     panels[2].curves.push_back({name, at_times(r.ground, r.force, times)});
   }
