@@ -1,4 +1,5 @@
 // `moraine motion` and `moraine slosh`: their examples, pages, messages and files.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -76,11 +77,13 @@ class MotionCommand : public ScratchFolder {
 
 // Every example of the help runs, one after the other in one folder.
 TEST_F(MotionCommand, ExamplesOfTheHelpRun) {
-  for (auto const* command : {"motion", "slosh"}) {
-    CommandResult const help = call({command, "--help"});
+  for (auto const& command : {std::vector<std::string>{"motion", "--help"},
+                              {"motion", "synthesise", "--help"},
+                              {"slosh", "--help"}}) {
+    CommandResult const help = call(command);
     ASSERT_EQ(help.code, 0);
     auto const examples = commands_in(help.out, "  ");
-    EXPECT_GE(examples.size(), 4u) << help.out;
+    EXPECT_GE(examples.size(), 2u) << help.out;
     for (std::string const& example : examples) {
       CommandResult const result = call_line(example);
       EXPECT_EQ(result.code, 0) << example << '\n' << result.err;
@@ -186,6 +189,64 @@ TEST_F(MotionCommand, OverwritesNothingUnasked) {
   EXPECT_EQ(bytes_of(path("quake.csv")), before);
   EXPECT_EQ(call({"motion", "quake.csv", "--pga", "1", "--write", "quake.csv", "--force"}).code, 0);
   EXPECT_NE(bytes_of(path("quake.csv")), before);
+}
+
+// Nor pictures, nor one output by another.
+TEST_F(MotionCommand, OverwritesNoPictureUnasked) {
+  write_sine("quake.csv");
+  write(path("m-spectra.svg"), "mine");
+  CommandResult const result = call({"motion", "quake.csv", "--plot", "m.svg"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(result.err,
+            "moraine motion: --plot: \"m-spectra.svg\" exists and is not overwritten; name another "
+            "file or add --force\n");
+  EXPECT_EQ(bytes_of(path("m-spectra.svg")), "mine");
+  EXPECT_EQ(call({"motion", "quake.csv", "--plot", "m.svg", "--force"}).code, 0);
+  EXPECT_GT(bytes_of(path("m-spectra.svg")).size(), 1000u);
+  CommandResult const slosh =
+      call({"slosh", "--length", "1", "--depth", "1", "--record", "quake.csv", "--plot", "m.svg"});
+  EXPECT_EQ(slosh.code, 2);
+  EXPECT_NE(slosh.err.find("--plot: \"m.svg\" exists"), std::string::npos) << slosh.err;
+  CommandResult const twice =
+      call({"motion", "quake.csv", "--write", "a.csv", "--write-displacement", "./a.csv"});
+  EXPECT_EQ(twice.code, 2);
+  EXPECT_EQ(twice.err,
+            "moraine motion: --write-displacement: \"./a.csv\" is what --write writes too; name "
+            "another file\n");
+  EXPECT_FALSE(std::filesystem::exists(path("a.csv")));
+}
+
+TEST_F(MotionCommand, WarnsOfPeaksAndPeriodsThatAreHardToBelieve) {
+  write_sine("quake.csv", 30.0);
+  std::string const unit = "a peak of 29.9 g is more than any earthquake had";
+  EXPECT_NE(call({"motion", "quake.csv"}).err.find(unit), std::string::npos);
+  EXPECT_NE(
+      call({"slosh", "--length", "9", "--depth", "9", "--record", "quake.csv"}).err.find(unit),
+      std::string::npos);
+  EXPECT_EQ(call({"motion", "quake.csv", "--pga", "0.3 g0", "--baseline", "rest"}).err, "");
+  // A sine of 40 Hz, above what oscillators of five steps can tell.
+  std::string text = "t_s,a_g\n";
+  for (int i = 0; i <= 200; ++i)
+    text += fmt::format("{},{}\n", 0.01 * i, 0.1 * std::sin(0.8 * 3.14159265358979 * i));
+  write(path("fast.csv"), text);
+  EXPECT_NE(call({"motion", "fast.csv", "--baseline", "rest"})
+                .err.find("largest at 0.05 s, an end of the periods looked at (0.05 to 4 s)"),
+            std::string::npos);
+}
+
+// Steps so fine that they hold no second of motion are refused, and do not run for ever.
+TEST_F(MotionCommand, RefusesWhatCannotBeMeasured) {
+  write_sine("quake.csv");
+  CommandResult const tiny = call({"motion", "quake.csv", "--time-scale", "1e-300"});
+  EXPECT_EQ(tiny.code, 2);
+  EXPECT_TRUE(tiny.err.starts_with("quake.csv: Butterworth filter: the corner, 9 Hz")) << tiny.err;
+  CommandResult const film = call({"slosh", "--length", "2", "--depth", "1e-9"});
+  EXPECT_EQ(film.code, 2);
+  EXPECT_EQ(film.err, "moraine slosh: rigid tank: length over depth must be 0.0001 to 10000\n");
+  CommandResult const seed = call({"motion", "synthesize", "--pga", "1", "--pgv-pga", "0.1",
+                                   "--predominant-period", "0.3", "--seed", "-1"});
+  EXPECT_EQ(seed.code, 2);
+  EXPECT_NE(seed.err.find("-1 is negative"), std::string::npos) << seed.err;
 }
 
 TEST_F(MotionCommand, WarnsOfDrift) {

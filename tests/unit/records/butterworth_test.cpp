@@ -84,10 +84,14 @@ TEST(Butterworth, RefusesCornersThatTheStepCannotHold) {
   auto const refusal = [&](Butterworth const& filter) {
     return message_of<std::invalid_argument>([&] { filtered(record, filter); });
   };
-  char const* const corner =
-      "Butterworth filter: the corner must lie between 0 and half of one over the time step";
-  EXPECT_EQ(refusal({Passband::low, 25.0, 2, Passes::forward}), corner);
-  EXPECT_EQ(refusal({Passband::low, 0.0, 2, Passes::forward}), corner);
+  auto const corner = [](std::string const& found) {
+    return "Butterworth filter: the corner, " + found +
+           " Hz, must lie between 3.2e-05 Hz and half of one over the time step, 25 Hz";
+  };
+  EXPECT_EQ(refusal({Passband::low, 25.0, 2, Passes::forward}), corner("25"));
+  EXPECT_EQ(refusal({Passband::low, 0.0, 2, Passes::forward}), corner("0"));
+  // It would ring for longer than there is memory.
+  EXPECT_EQ(refusal({Passband::high, 1e-9, 2, Passes::both_ways}), corner("1e-09"));
   EXPECT_EQ(refusal({Passband::low, 9.0, 9, Passes::forward}),
             "Butterworth filter: the order must be 1 to 8");
 }

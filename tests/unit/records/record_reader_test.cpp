@@ -43,6 +43,22 @@ TEST(RecordReader, ReadsAt2) {
   }
 }
 
+// The header of the older collection of PEER goes on after the unit, and others shout theirs.
+TEST(RecordReader, ReadsUnitsInHeadersOfAt2) {
+  struct Sample {
+    char const* rest;
+    double unit;
+  };
+  for (auto const& [rest, unit] :
+       {Sample{"G. FILTER POINTS: HP=0.2 Hz LP=27.0 Hz", g}, Sample{"G, UNFILTERED", g},
+        Sample{"G (FILTERED)", g}, Sample{"CM/S/S", 0.01}, Sample{"CM/SEC/SEC.", 0.01},
+        Sample{"CM/SEC**2", 0.01}, Sample{"m/s2", 1.0}}) {
+    std::string text = at2("NPTS= 5, DT= .0050 SEC");
+    text.replace(text.find("UNITS OF G") + 9, 1, rest);
+    expect_values(parse_record(text, "q.AT2", {}), {0.001, -0.002, 0.003, 0.004, 0.005}, unit);
+  }
+}
+
 TEST(RecordReader, ReadsTwoColumnsWithUnits) {
   struct Sample {
     char const* heading;
@@ -117,7 +133,6 @@ TEST(RecordReader, TellsOfAllMistakesTogether) {
       "0.1 x 0.3\n0.4 inf\n";
   EXPECT_EQ(
       refusal(text),
-      "r.txt: unit \"CM/S\" is no unit of acceleration\n"
       "r.txt:2:1: \"VELOCITY TIME HISTORY IN UNITS OF CM/S\" does not speak of acceleration; "
       "give the record's .AT2 file\n"
       "r.txt:3:1: NPTS 7 is not the number of values, 5; the file is incomplete or its header "
@@ -156,6 +171,43 @@ TEST(RecordReader, RefusesWhatIsNoRecord) {
   EXPECT_EQ(message_of<InputErrors>([] { read_record("/", {}); }), "/: is not a file");
 }
 
+// A decimal comma would split a number in two, and a record of other numbers be read.
+TEST(RecordReader, RefusesDecimalCommas) {
+  std::string const rule = " is not a finite number: decimals follow a point, not a comma";
+  for (auto const* separator : {";", "\t"}) {
+    std::string const row = std::string("0,01") + separator + "0,5\n";
+    for (auto const& hints : {RecordHints{"g", {}}, RecordHints{"g", 0.01}})
+      EXPECT_EQ(refusal(row + "0.02" + separator + "1\n", hints),
+                "r.txt:1:1: \"0,01\"" + rule + "\nr.txt:1:1: \"0,5\"" + rule)
+          << separator;
+  }
+  EXPECT_EQ(refusal("0,01\n2,00\n", {"g", 0.01}),
+            "r.txt:1:1: \"0,01\" has commas inside of numbers: decimals follow a point\n"
+            "r.txt:2:1: \"2,00\" has commas inside of numbers: decimals follow a point");
+  EXPECT_EQ(refusal("0,01 1,5\n0,02 1,6\n", {"g", {}}),
+            "r.txt:1:1: \"01 1\"" + rule + "\nr.txt:2:1: \"02 1\"" + rule);
+}
+
+// A velocity stays one, whatever unit of acceleration is told.
+TEST(RecordReader, RefusesOtherQuantities) {
+  std::string const rest =
+      " is no acceleration; give the accelerations of the record, in a unit like g or m/s^2";
+  for (auto const& hints : {RecordHints{}, RecordHints{"g", {}}}) {
+    EXPECT_EQ(refusal("time (s),velocity (cm/s)\n0,1\n1,2\n", hints),
+              "r.txt:1:1: \"velocity (cm/s)\"" + rest);
+    EXPECT_EQ(refusal("t_s,d_m\n0,1\n1,2\n", hints), "r.txt:1:1: \"d_m\"" + rest);
+  }
+}
+
+TEST(RecordReader, RefusesWhatIsNoText) {
+  std::string const rule = "r.txt: is not a text; save it as plain text (UTF-8)";
+  EXPECT_EQ(refusal(std::string("0.1\0000.2\n", 8), {"g", 0.01}), rule);
+  EXPECT_EQ(refusal("0.1\n\x1b[2J\n", {"g", 0.01}), rule);
+  expect_values(parse_record("1\r\n2\r\n\x1a", "q", {"g", 0.01}), {1, 2}, g);  // the end in DOS
+  EXPECT_EQ(refusal("1\n" + std::string(5000, 'x') + "\n", {"g", 0.01}),
+            "r.txt:2:1: \"" + std::string(60, 'x') + "...\" is not a finite number");
+}
+
 TEST(RecordReader, RefusesNumbersThatLeaveTheRange) {
   EXPECT_EQ(refusal("1e308\n1\n", {"g", 0.1}), "r.txt: ground record: a value is not finite");
   EXPECT_EQ(refusal("t_s,a_g\n-1e308,1\n1e308,2\n"),
@@ -167,6 +219,8 @@ TEST(RecordReader, KnowsUnits) {
   EXPECT_EQ(acceleration_unit("m/s2"), 1.0);
   EXPECT_EQ(acceleration_unit("cm/s^2"), 0.01);
   EXPECT_EQ(acceleration_unit("gal"), 0.01);
+  EXPECT_EQ(acceleration_unit("CM/S/S"), 0.01);
+  EXPECT_EQ(acceleration_unit("cm/sec**2"), 0.01);
   EXPECT_FALSE(acceleration_unit("m/s"));
   EXPECT_FALSE(acceleration_unit(""));
   EXPECT_FALSE(acceleration_unit("kg"));

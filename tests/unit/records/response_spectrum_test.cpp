@@ -68,6 +68,23 @@ TEST(ResponseSpectrum, FreeSwingAfterAPulse) {
   }
 }
 
+// How fine the steps are does not matter for what comes after the record: a pulse cut into steps of
+// 1e-9 s still has the peak w x impulse of its free swing, and that of a record without end.
+TEST(ResponseSpectrum, SwingsOnAfterTheRecordAtOnce) {
+  GroundRecord const pulse = record_of(1e-7, 1e-9, [](double) { return 1.0; });
+  for (double const period : {0.1, 2.0}) {
+    double const w = 2.0 * pi / period;
+    EXPECT_NEAR(spectral_response(pulse, period, 0.0).displacement, 1e-7 / w, 1e-3 * 1e-7 / w);
+  }
+  GroundRecord const record = sine_record(1.0, 3.0, 1.0, 0.01);
+  GroundRecord longer = record;
+  longer.acceleration.resize(record.size() + 500, 0.0);
+  for (double const period : {0.2, 0.7, 3.0}) {
+    double const expected = spectral_response(longer, period, 0.05).displacement;
+    EXPECT_NEAR(spectral_response(record, period, 0.05).displacement, expected, 1e-3 * expected);
+  }
+}
+
 // Very stiff oscillators move with the ground, very soft ones stay where they are.
 TEST(ResponseSpectrum, EndsAtThePeaksOfTheGround) {
   double const f = 2.0;

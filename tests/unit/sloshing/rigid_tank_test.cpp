@@ -148,6 +148,18 @@ TEST(RigidTank, HousnerIsHigh) {
   }
 }
 
+// At the ends of the range: two walls of Westergaard, and liquid that moves as a whole.
+TEST(RigidTank, HoldsFromShallowToDeep) {
+  RigidTank const shallow = tank_of(1e4, 1.0), deep = tank_of(1.0, 1e4);
+  EXPECT_NEAR(impulsive_mass(shallow).mass, 28.0 * 1.2020569031595942 / (pi * pi * pi) * 1000.0,
+              1e-5 * 1e7 * 1e-4);
+  EXPECT_NEAR(impulsive_mass(deep).mass / deep.mass(), 1.0, 1e-4);
+  HousnerTank const housner = housner_tank(deep);
+  for (double const height :
+       {housner.convective_height.walls, housner.convective_height.walls_and_floor})
+    EXPECT_NEAR(height, 1e4 - 1.0 / 3.16, 1e-6);
+}
+
 TEST(RigidTank, RefusesWhatIsNoTank) {
   char const* const all = "rigid tank: length, depth, width, density and gravity must be positive";
   EXPECT_EQ(message_of<std::invalid_argument>([] { check_tank({1.0, 0.0}); }), all);
@@ -157,6 +169,9 @@ TEST(RigidTank, RefusesWhatIsNoTank) {
             }),
             "sloshing mode: modes count from 1");
   EXPECT_EQ(sloshing_mode({1.0, 1.0}, 2).mass, 0.0);
+  char const* const ratio = "rigid tank: length over depth must be 0.0001 to 10000";
+  EXPECT_EQ(message_of<std::invalid_argument>([] { impulsive_mass({2.0, 1e-9}); }), ratio);
+  EXPECT_EQ(message_of<std::invalid_argument>([] { housner_tank({1.0, 2e4}); }), ratio);
 }
 
 }  // namespace
