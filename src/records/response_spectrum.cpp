@@ -29,7 +29,7 @@ class PeakFinder {
 
   /// A period over resting ground, after the record.
   void swing_on(double period, double damping) {
-    constexpr int steps = 100;
+    constexpr int steps = 200;
     Oscillator const free(2.0 * std::numbers::pi / period, damping, period / steps);
     for (int i = 0; i < steps; ++i) {
       state_ = free.advance(state_, 0.0, 0.0);

@@ -296,6 +296,20 @@ TEST_F(MotionCommand, SloshTellsOfAllMistakesTogether) {
   EXPECT_EQ(lonely.err, "moraine slosh: --plot: \"a.svg\" needs a record; add --record FILE\n");
 }
 
+TEST_F(MotionCommand, SloshWarnsOfStepsThatMissPeaks) {
+  write(path("coarse.csv"), "t_s,a_g\n0,0\n0.5,0.001\n1,-0.001\n1.5,0\n");
+  std::vector<std::string> arguments{"slosh", "--length", "2",         "--depth",
+                                     "1",     "--record", "coarse.csv"};
+  CommandResult const result = call(arguments);
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(
+      result.err,
+      "warning: coarse: peaks lie between steps of 0.5 s, since the first mode has a period of "
+      "1.67 s; --resample makes finer steps\n");
+  arguments.insert(arguments.end(), {"--resample", "0.05 s", "--straight-lines"});
+  EXPECT_EQ(call(arguments).err, "");
+}
+
 TEST_F(MotionCommand, SloshWarnsOfHighWaves) {
   write_sine("quake.csv", 0.5);
   CommandResult const result = call({"slosh", "--length", "2 m", "--depth", "30 cm", "--record",

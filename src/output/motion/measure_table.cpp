@@ -72,6 +72,7 @@ constexpr Row rows[] = {
      [](auto const& m) { return m.measures.significant.from; }},
     {"bracketed duration (0.05 g)", "s", 1, "bracketed_duration_s",
      [](auto const& m) { return m.measures.bracketed.length(); }},
+    {"  from", "s", 1, "bracketed_from_s", [](auto const& m) { return m.measures.bracketed.from; }},
     {"predominant period (PSA, 5 %)", "s", 1, "predominant_period_s",
      [](auto const& m) { return m.measures.predominant_period; }},
     {"dominant frequency (power)", "Hz", 1, "dominant_frequency_hz",

@@ -197,7 +197,13 @@ nlohmann::json tank_as_json(TankReport const& report) {
 std::vector<std::string> response_doubts(TankReport const& report, double freeboard) {
   std::vector<std::string> doubts;
   double const least = std::min(report.tank.depth, report.tank.length);
+  double const period = sloshing_mode(report.tank, 1).period();
   for (TankResponse const& response : report.responses) {
+    if (response.ground.time_step > coarse_step * period)
+      doubts.push_back(fmt::format(
+          "{}: peaks lie between steps of {:.3g} s, since the first mode has a period of {:.3g} s; "
+          "--resample makes finer steps",
+          response.ground.name, response.ground.time_step, period));
     double const wave = range_of(response.ground, response.surface).size();
     if (wave > small_wave * least)
       doubts.push_back(fmt::format(

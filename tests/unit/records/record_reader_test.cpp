@@ -181,9 +181,9 @@ TEST(RecordReader, RefusesDecimalCommas) {
                 "r.txt:1:1: \"0,01\"" + rule + "\nr.txt:1:1: \"0,5\"" + rule)
           << separator;
   }
-  EXPECT_EQ(refusal("0,01\n2,00\n", {"g", 0.01}),
+  EXPECT_EQ(refusal("0,01\n0,35\n", {"g", 0.01}),
             "r.txt:1:1: \"0,01\" has commas inside of numbers: decimals follow a point\n"
-            "r.txt:2:1: \"2,00\" has commas inside of numbers: decimals follow a point");
+            "r.txt:2:1: \"0,35\" has commas inside of numbers: decimals follow a point");
   EXPECT_EQ(refusal("0,01 1,5\n0,02 1,6\n", {"g", {}}),
             "r.txt:1:1: \"01 1\"" + rule + "\nr.txt:2:1: \"02 1\"" + rule);
 }
