@@ -87,6 +87,12 @@ void check_steps(std::vector<Instant> const& instants, double usual, RecordMista
   }
 }
 
+void refuse_commas(TextLine const& line, RecordMistakes& mistakes) {
+  mistakes.add_one_of_many(line.number, quoted_word(line.text),
+                           "has commas inside of numbers: decimals follow a point",
+                           "lines with decimal commas");
+}
+
 class ColumnReader {
  public:
   ColumnReader(bool step_told, RecordMistakes& mistakes)
@@ -121,6 +127,8 @@ class ColumnReader {
     bool const two = lines_.size() > 1 && 2 * lines_of_[2] > lines_.size();
     if (two && (!step_told_ || headings_ == 2 || times_increase()))
       read_two_columns();
+    else if (two && all_have_decimal_commas())
+      for (TextLine const& line : lines_) refuse_commas(line, mistakes_);
     else if (headings_ > 2 && 2 * lines_of_[headings_] > lines_.size())
       mistakes_.add(heading_line_, fmt::format("a table of {} columns", headings_), "is no record",
                     "leave the time and one acceleration in it");
@@ -154,6 +162,20 @@ class ColumnReader {
       before = time;
     }
     return true;
+  }
+
+  /// Whether the lines look like "0,35", numbers with decimal commas, all of them.
+  bool all_have_decimal_commas() const {
+    auto const digits = [](std::string_view text) {
+      return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+    };
+    return std::all_of(lines_.begin(), lines_.end(), [&](TextLine const& line) {
+      auto const comma = line.text.find(',');
+      if (comma == std::string_view::npos) return false;
+      std::string_view whole = line.text.substr(0, comma);
+      whole.remove_prefix(std::min(whole.find_first_not_of("+-"), whole.size()));
+      return digits(whole) && digits(line.text.substr(comma + 1));
+    });
   }
 
   void read_two_columns() {
@@ -200,9 +222,7 @@ void add_numbers(TextLine const& line, std::vector<double>& values, RecordMistak
                                    : "is not a finite number",
                                "words that are no numbers");
     else if (has_decimal_comma(word, line.text))
-      mistakes.add_one_of_many(line.number, quoted_word(line.text),
-                               "has commas inside of numbers: decimals follow a point",
-                               "lines with decimal commas");
+      refuse_commas(line, mistakes);
     values.push_back(number.value_or(0.0));
   }
 }

@@ -252,7 +252,7 @@ TEST_F(MotionCommand, RefusesWhatCannotBeMeasured) {
 TEST_F(MotionCommand, WarnsOfDrift) {
   std::string text = "t_s,a_g\n";
   for (int i = 0; i <= 400; ++i)
-    text += std::to_string(0.01 * i) + "," + std::to_string(0.01 + (i == 200 ? 0.3 : 0.0)) + "\n";
+    text += fmt::format("{},{}\n", 0.01 * i, 0.01 + 0.3 * std::sin(0.1 * 3.14159265358979 * i));
   write(path("drift.csv"), text);
   EXPECT_NE(call({"motion", "drift.csv"}).err.find("drift more likely than ground"),
             std::string::npos);

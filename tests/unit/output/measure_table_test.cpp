@@ -45,7 +45,7 @@ TEST_F(MotionTable, SaysTheSameInAllForms) {
   EXPECT_TRUE(found);
   EXPECT_EQ(static_cast<std::size_t>(rows) + 2, json[0].size());
   std::string const text = measures_as_text(motions);
-  EXPECT_NE(text.find("\npeak acceleration PGA                g       0.35             0.102\n"),
+  EXPECT_NE(text.find("\npeak acceleration PGA                g         0.35             0.102\n"),
             std::string::npos)
       << text;
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), rows + 1);

@@ -189,6 +189,10 @@ TEST(RecordReader, RefusesDecimalCommas) {
 }
 
 // A velocity stays one, whatever unit of acceleration is told.
+TEST(RecordReader, ReadsTwoWholeNumbersInALine) {
+  expect_values(parse_record("1, 2\n-3, 4\n", "q", {"gal", 0.01}), {1, 2, -3, 4}, 0.01);
+}
+
 TEST(RecordReader, RefusesOtherQuantities) {
   std::string const rest =
       " is no acceleration; give the accelerations of the record, in a unit like g or m/s^2";
