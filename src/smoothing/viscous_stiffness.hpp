@@ -12,8 +12,9 @@ namespace moraine {
 ///
 ///   K = 1/d integral of |W'(q)| / q q^2 / (q^2 + 0.01) dV,   h = 1
 ///
-/// An explicit step must be shorter than 2 h / (K (alpha c + beta |mu|)). K is 0.4 to 2.8 for most
-/// kernels; for the narrow ones in 1D 3.1 to 3.6, for the super-Gaussian up to 6.7.
+/// The quadratic part answers to a change of velocity twice as strongly, so an explicit step must
+/// be shorter than about h / (K beta |mu|). K is 0.4 to 2.3 for most kernels; for narrow ones in 1D
+/// up to 3.6, for the super-Gaussian up to 6.7.
 template <int D>
 double viscous_stiffness(AnyKernel<D> const& kernel) {
   constexpr int pieces = 400;  // midpoint rule, error below 1e-3
@@ -30,13 +31,14 @@ double viscous_stiffness(AnyKernel<D> const& kernel) {
 }
 
 /// The factor of alpha c + beta |mu| in the signal speed: the usual 0.6 of Monaghan, Annu. Rev.
-/// Astron. Astrophys. 30 (1992) 543, section 4, where K is up to 2.8, which a Courant number C of
-/// 0.3 makes C K / 0.6 = 1.4 of those 2; more in proportion where it is larger. Without that, the
-/// charges of `moraine verify tnt-kernels` gain energy from K = 3.3 on.
+/// Astron. Astrophys. 30 (1992) 543, section 4, where K is up to 2.25, that of the cubic spline in
+/// 1D; more in proportion where it is larger. A charge in water in 1D (`moraine verify
+/// tnt-kernels`) is stable up to a Courant number of 0.4 with the cubic spline, and with 0.6 for
+/// all kernels it would gain energy at 0.3 with K of 3.3 and more.
 template <int D>
 double viscous_signal(AnyKernel<D> const& kernel) {
   double const stiffness = viscous_stiffness(kernel);
-  return stiffness > 2.8 ? 0.6 * stiffness / 2.8 : 0.6;
+  return stiffness > 2.25 ? 0.6 * (stiffness / 2.25) * (stiffness / 2.25) : 0.6;
 }
 
 inline double viscous_signal(KernelName kernel, int dimension) {

@@ -113,6 +113,8 @@ std::vector<CheckResult> check_tnt_kernels(Effort effort) {
         Case c = charge_in_water(dimension, effort);
         c.numerics.kernel = kernel.kernel;
         c.numerics.momentum = form;
+        // Its force jumps where a neighbour comes or goes: energy needs a shorter step.
+        if (kernel.kernel == KernelName::dome) c.time.courant = 0.15;
         worst.include(energy_error(c),
                       fmt::format("{}D, {} momentum", dimension,
                                   form == MomentumForm::mixed ? "mixed" : "conservative"));
