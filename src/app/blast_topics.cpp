@@ -92,6 +92,8 @@ constexpr std::array commands{
                  "--explosive --pressure-factor --mass-factor --ambient-pressure --ambient-density",
                  over_distance,
                  "moraine blast air --charge \"10 kg\" --distance \"5 m\"\n"
+                 "moraine blast air --charge \"10 kg\" --distance \"5 m\" --ambient-pressure "
+                 "\"70 kPa\" --ambient-density \"0.91 kg/m^3\"\n"
                  "moraine blast air --charge \"22 lb\" --explosive comp_b --distance \"16 ft\" "
                  "--units imperial\n"
                  "moraine blast air --charge \"10 kg\" --distances \"1 m\" \"50 m\" 40 --csv "
@@ -150,8 +152,9 @@ constexpr std::array commands{
                  "moraine blast crater --charge \"10 kg\" --ground clay --depth \"6 m\" --soil "
                  "silty_clay --depth-factor 0.8"},
     TopicCommand{Topic::water, "the shock of a charge under water", "--charge --distance",
-                 "--explosive --pressure-factor --mass-factor", over_distance,
+                 "--time --explosive --pressure-factor --mass-factor", over_distance,
                  "moraine blast water --charge \"50 kg\" --distance \"20 m\" --pressure-unit bar\n"
+                 "moraine blast water --charge \"50 kg\" --distance \"20 m\" --time \"200 us\"\n"
                  "moraine blast water --charge \"50 kg\" --distances \"3 m\" \"100 m\" 30 --plot "
                  "water.png"},
     TopicCommand{Topic::bubble,

@@ -36,7 +36,8 @@ Json estimate_json(Estimate const& estimate, OutputUnits const& units) {
               {"range", std::move(range)},
               {"warnings", estimate.warnings},
               {"formula", relation.formula},
-              {"source", relation.source}};
+              {"source", relation.source},
+              {"note", relation.note}};
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace moraine::blast {
 
 /// {"estimates": [...], "spreads": [...], "unanswered": [...]}; numbers that do not exist are null.
 /// An estimate has measure, relation, value, low, high, unit, standing, in_range, range and its
-/// variable's value, warnings, formula and source.
+/// variable's value, warnings, formula, source and note.
 nlohmann::ordered_json to_json(Answer const& answer, OutputUnits const& units);
 
 nlohmann::ordered_json to_json(std::span<Relation const> relations);

@@ -1,8 +1,10 @@
 #include "output/blast/answer_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace moraine::blast {
@@ -35,6 +37,7 @@ class Footnotes {
 
 /// A relation is not recommended where it does not hold.
 std::string_view worth(Estimate const& estimate) {
+  if (!std::isfinite(estimate.value)) return "no solution";
   bool const doubtful = estimate.standing == Standing::doubtful;
   return estimate.in_range || doubtful ? name_of(estimate.standing) : "outside its range";
 }
@@ -47,6 +50,19 @@ std::string line(Estimate const& estimate, OutputUnits const& units, Footnotes& 
                          readable(units.shown(measure, estimate.high)));
   return fmt::format("  {:<26}{:<28} {}{}\n", estimate.relation->name, value, worth(estimate),
                      footnotes.marks(estimate.warnings));
+}
+
+/// Assumptions and corrections of the relations in an answer, each once. Those of doubtful ones
+/// stand in their warnings.
+std::string notes_text(Answer const& answer) {
+  std::vector<std::string> lines;
+  for (Estimate const& estimate : answer.estimates) {
+    Relation const& relation = *estimate.relation;
+    if (relation.note.empty() || estimate.standing == Standing::doubtful) continue;
+    std::string line = fmt::format("  {}: {}\n", relation.name, relation.note);
+    if (std::ranges::find(lines, line) == lines.end()) lines.push_back(std::move(line));
+  }
+  return lines.empty() ? std::string() : fmt::format("\nnotes\n{}", fmt::join(lines, ""));
 }
 
 std::string spread_line(Answer const& answer, Measure measure, OutputUnits const& units) {
@@ -77,7 +93,7 @@ std::string answer_text(Answer const& answer, OutputUnits const& units) {
     text += line(estimate, units, footnotes);
   }
   close();
-  text += footnotes.text();
+  text += footnotes.text() + notes_text(answer);
   for (std::size_t i = 0; i < answer.unanswered.size(); ++i)
     text += fmt::format("{}  {} by {} needs {}\n", i == 0 ? "\nnot answered\n" : "",
                         words(info(answer.unanswered[i].relation->measure).name),

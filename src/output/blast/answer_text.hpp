@@ -10,7 +10,8 @@
 namespace moraine::blast {
 
 /// One block per measure: the relations with value, scatter and standing, marks where a warning
-/// belongs, and the spread; then the warnings by mark, and what was not answered.
+/// belongs, and the spread; then the warnings by mark, what the relations assume, and what was not
+/// answered.
 std::string answer_text(Answer const& answer, OutputUnits const& units);
 
 /// Name, formula, source, range and standing of each relation.
