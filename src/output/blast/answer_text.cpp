@@ -52,17 +52,26 @@ std::string line(Estimate const& estimate, OutputUnits const& units, Footnotes& 
                      footnotes.marks(estimate.warnings));
 }
 
-/// Assumptions and corrections of the relations in an answer, each once. Those of doubtful ones
+/// Assumptions and corrections, each once with the names of its relations. Those of doubtful ones
 /// stand in their warnings.
 std::string notes_text(Answer const& answer) {
-  std::vector<std::string> lines;
+  struct Note {
+    std::string_view text;
+    std::vector<std::string_view> names;
+  };
+  std::vector<Note> notes;
   for (Estimate const& estimate : answer.estimates) {
     Relation const& relation = *estimate.relation;
     if (relation.note.empty() || estimate.standing == Standing::doubtful) continue;
-    std::string line = fmt::format("  {}: {}\n", relation.name, relation.note);
-    if (std::ranges::find(lines, line) == lines.end()) lines.push_back(std::move(line));
+    auto note = std::ranges::find(notes, relation.note, &Note::text);
+    if (note == notes.end()) note = notes.insert(notes.end(), {relation.note, {}});
+    if (std::ranges::find(note->names, relation.name) == note->names.end())
+      note->names.push_back(relation.name);
   }
-  return lines.empty() ? std::string() : fmt::format("\nnotes\n{}", fmt::join(lines, ""));
+  std::string text = notes.empty() ? "" : "\nnotes\n";
+  for (Note const& note : notes)
+    text += fmt::format("  {}: {}\n", fmt::join(note.names, ", "), note.text);
+  return text;
 }
 
 std::string spread_line(Answer const& answer, Measure measure, OutputUnits const& units) {

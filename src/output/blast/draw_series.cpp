@@ -56,10 +56,10 @@ void draw_series(std::filesystem::path const& path, std::string const& title, Se
     if (panels.empty() || panels.back().quantity != name)
       panels.push_back({name, unit == "1" ? "" : unit, {}, scale});
     panels.back().curves.push_back(part(column, true));
-    // Relations that agree hide each other: the first one of a panel shows below the others.
-    panels.back().curves.back().broad = panels.back().curves.size() == 1;
     panels.back().curves.push_back(part(column, false));
   }
+  // Relations that agree hide each other: the first one of a panel shows below the others.
+  for (plot::CurvePanel& panel : panels) panel.curves.front().broad = panel.curves.size() > 2;
   plot::draw_stacked_panels(path, plot::heading(title), {series.variable, series.points},
                             series.unit, panels, scale);
 }
