@@ -157,6 +157,8 @@ int answer_once(TopicCommand const& topic, BlastOptions const& options, BlastInp
   if (options.json) {
     Json json = head(topic, input);
     json.update(blast::to_json(answer, input.units));
+    if (!input.gauge.gauge.empty())
+      json["gauge"] = blast::to_json(input.gauge, answer, input.units);
     fmt::print("{}\n", json.dump(2));
     return ExitCode::done;
   }
@@ -164,7 +166,7 @@ int answer_once(TopicCommand const& topic, BlastOptions const& options, BlastInp
   for (std::string const& fact : blast::facts(topic.topic, input.situation, input.units.system))
     fmt::print("{}\n", fact);
   for (std::string const& note : input.notes) fmt::print("{}\n", note);
-  fmt::print("{}", blast::answer_text(answer, input.units));
+  fmt::print("{}", blast::answer_text(answer, input.units, input.gauge));
   return ExitCode::done;
 }
 

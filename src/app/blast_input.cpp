@@ -160,6 +160,22 @@ void check_files(BlastReader& reader, TopicCommand const& command, BlastOptions 
   for (std::string_view const file : {"--csv", "--plot"}) reader.keep_existing(file);
 }
 
+blast::GaugeReadings read_gauge_option(BlastReader& reader, BlastOptions const& options) {
+  std::string const &file = reader.text("--gauges"), &gauge = reader.text("--gauge");
+  if (file.empty() && gauge.empty()) return {};
+  if (!options.sweep.empty())
+    reader.complain("--gauges", file, "stands at one distance, not along a range");
+  if (file.empty()) reader.complain("--gauges", "", "is missing: gauges.json of the run");
+  if (gauge.empty()) reader.complain("--gauge", "", "is missing: which gauge of the run");
+  if (file.empty() || gauge.empty()) return {};
+  try {
+    return blast::read_gauge(file, gauge);
+  } catch (InputErrors const& errors) {
+    reader.complain(errors);
+    return {};
+  }
+}
+
 }  // namespace
 
 BlastInput read_blast_input(TopicCommand const& command, BlastOptions const& options) {
@@ -182,6 +198,7 @@ BlastInput read_blast_input(TopicCommand const& command, BlastOptions const& opt
     if (command.sweep.replaces == "--charge") input.sweep.factor *= mass_factor;
   }
   check_files(reader, command, options);
+  input.gauge = read_gauge_option(reader, options);
   double impulse = blast::unknown;
   if (reader.given("--impulse")) {
     Conversion const read = to_si(reader.text("--impulse"), blast::dimension(Kind::impulse));

@@ -46,6 +46,9 @@ class BlastReader {
     return nullptr;
   }
 
+  /// Complaints of an exception from elsewhere.
+  void complain(InputErrors const& errors) { mistakes_.add(errors); }
+
   /// Complains about a file that exists, unless it may be replaced.
   void keep_existing(std::string_view flag) {
     mistakes_.check_output(std::string(flag), text(flag), options_.force);

@@ -153,6 +153,43 @@ TEST_F(BlastCommand, SweptChargesCountInTnt) {
   EXPECT_NEAR(last / first, 2.0, 1e-12);
 }
 
+// A gauge of a run, as `gauges.json` tells of it, beside the relations.
+TEST_F(BlastCommand, SetsAGaugeBesideTheRelations) {
+  write(path("gauges.json"), R"({"gauges": [
+    {"name": "lake", "seen": true, "columns": {"lake level": {"unit": "m", "largest": 1.0}}},
+    {"name": "A", "seen": true, "columns": {
+      "A density": {"unit": "kg/m^3", "first": 1.2, "largest": 3.0},
+      "A pressure": {"unit": "Pa", "first": 101325.0, "largest": 241325.0, "impulse": 170.0,
+                     "arrival": 0.0055}}},
+    {"name": "B", "seen": false, "columns": {"B pressure": {"unit": "Pa", "first": null,
+      "largest": null, "impulse": 0.0}}}]})");
+  std::string const line = "blast air --charge \"10 kg\" --distance \"5 m\" --gauges gauges.json";
+  auto const answer = json(line + " --gauge A");
+  auto const& readings = answer.at("gauge").at("readings");
+  ASSERT_EQ(readings.size(), 3u);
+  double const peak = value(answer, "peak_overpressure", "kingery_bulmash");
+  EXPECT_EQ(readings[0].at("measure"), "peak_overpressure");
+  EXPECT_EQ(readings[0].at("value"), 140000.0);
+  EXPECT_EQ(readings[0].at("relation"), "kingery_bulmash");
+  EXPECT_NEAR(readings[0].at("ratio"), 140000.0 / peak, 1e-12);
+  EXPECT_EQ(readings[1].at("measure"), "impulse");
+  EXPECT_EQ(readings[2].at("measure"), "arrival_time");
+  std::string const text = call(line + " --gauge A").out;
+  EXPECT_NE(text.find("gauge A                   140.0                        0.998 of "
+                      "kingery_bulmash\n"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(call(line + " --gauge a").err,
+            "gauges.json: \"a\" is not a gauge of this run; choose one of \"lake\", \"A\", "
+            "\"B\"\n");
+  EXPECT_EQ(call(line + " --gauge B").err, "gauges.json: \"B\" has seen no pressure\n");
+  write(path("other.json"), R"({"gauges": [1, 2]})");
+  EXPECT_EQ(
+      call("blast air --charge \"10 kg\" --distance \"5 m\" --gauges other.json --gauge A").err,
+      "other.json: is no summary of gauges; name the gauges.json of a run\n");
+  EXPECT_EQ(call(line).err, "moraine blast air: --gauge: is missing: which gauge of the run\n");
+}
+
 TEST_F(BlastCommand, ListsRelationsWithSources) {
   auto const all = nlohmann::json::parse(call("blast --list --json").out);
   EXPECT_EQ(all.size(), blast::relations().size());

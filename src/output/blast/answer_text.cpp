@@ -83,14 +83,29 @@ std::string spread_line(Answer const& answer, Measure measure, OutputUnits const
                      readable(units.shown(measure, spread->high)), spread->high / spread->low);
 }
 
+std::string gauge_line(Answer const& answer, Measure measure, OutputUnits const& units,
+                       GaugeReadings const& gauge) {
+  auto const reading = gauge.of(measure);
+  if (!reading) return {};
+  Estimate const* beside = yardstick(answer, measure);
+  std::string const worth =
+      beside == nullptr
+          ? std::string("measured in the run")
+          : fmt::format("{:.3f} of {}", *reading / beside->value, beside->relation->name);
+  return fmt::format("  {:<26}{:<28} {}\n", "gauge " + gauge.gauge,
+                     readable(units.shown(measure, *reading)), worth);
+}
+
 }  // namespace
 
-std::string answer_text(Answer const& answer, OutputUnits const& units) {
+std::string answer_text(Answer const& answer, OutputUnits const& units,
+                        GaugeReadings const& gauge) {
   std::string text;
   Footnotes footnotes;
   std::optional<Measure> current;
   auto const close = [&] {
-    if (current) text += spread_line(answer, *current, units);
+    if (!current) return;
+    text += spread_line(answer, *current, units) + gauge_line(answer, *current, units, gauge);
   };
   for (Estimate const& estimate : answer.estimates) {
     Measure const measure = estimate.relation->measure;
