@@ -123,7 +123,8 @@ std::string as_written(TopicCommand const& topic, BlastOptions const& options) {
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", flag.substr(2), found->second);
   };
   for (QuantityOption const& option : quantity_options()) add(option.flag);
-  for (NameOption const& option : name_options()) add(option.flag);
+  for (NameOption const& option : name_options())
+    if (option.flag != "--gauges") add(option.flag);  // a path makes no title
   return text;
 }
 
