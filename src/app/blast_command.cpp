@@ -76,7 +76,7 @@ void add_topic(CLI::App& blast, TopicCommand const& topic, BlastOptions& options
       ->add_option(
           std::string(topic.sweep.flag), options.sweep,
           fmt::format("instead of {}: first, last, number of values", topic.sweep.replaces))
-      ->expected(3);
+      ->expected(1, 3);
   if (topic.uses("--surface-burst"))
     command->add_flag("--surface-burst", options.surface_burst,
                       "the charge lies on the ground, not in free air");
@@ -87,6 +87,7 @@ void add_topic(CLI::App& blast, TopicCommand const& topic, BlastOptions& options
         fmt::format("unit of such results, as in \"{}\"", blast::dimension(option.kind).usual[1]));
   add_value(*command, options, "--csv", "write a table to this file (SI)");
   add_value(*command, options, "--plot", "draw to this file, .svg or .png");
+  command->add_flag("--force", options.force, "replace files that exist");
   command->add_flag("--json", options.json, "results as JSON (SI)");
   command->add_flag("--list", options.list, "relations of this topic, with sources and ranges");
   command->footer(footer(topic.examples));
@@ -122,7 +123,8 @@ std::string as_written(TopicCommand const& topic, BlastOptions const& options) {
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", flag.substr(2), found->second);
   };
   for (QuantityOption const& option : quantity_options()) add(option.flag);
-  for (NameOption const& option : name_options()) add(option.flag);
+  for (NameOption const& option : name_options())
+    if (option.flag != "--gauges") add(option.flag);  // a path makes no title
   return text;
 }
 
@@ -156,6 +158,8 @@ int answer_once(TopicCommand const& topic, BlastOptions const& options, BlastInp
   if (options.json) {
     Json json = head(topic, input);
     json.update(blast::to_json(answer, input.units));
+    if (!input.gauge.gauge.empty())
+      json["gauge"] = blast::to_json(input.gauge, answer, input.units);
     fmt::print("{}\n", json.dump(2));
     return ExitCode::done;
   }
@@ -163,7 +167,7 @@ int answer_once(TopicCommand const& topic, BlastOptions const& options, BlastInp
   for (std::string const& fact : blast::facts(topic.topic, input.situation, input.units.system))
     fmt::print("{}\n", fact);
   for (std::string const& note : input.notes) fmt::print("{}\n", note);
-  fmt::print("{}", blast::answer_text(answer, input.units));
+  fmt::print("{}", blast::answer_text(answer, input.units, input.gauge));
   return ExitCode::done;
 }
 
@@ -249,7 +253,7 @@ std::optional<int> run_blast_command(CLI::App const& app, BlastOptions options) 
   }
   if (auto const extras = blast.remaining(); !extras.empty()) refuse_topic(extras.front());
   if (options.list) return list(nullptr, options.json);
-  fmt::print("{}", blast.help());
+  fmt::print("{}", blast.help("moraine"));
   return ExitCode::done;
 }
 

@@ -17,6 +17,7 @@ struct BlastOptions {
   bool surface_burst = false;
   bool json = false;
   bool list = false;
+  bool force = false;
 };
 
 /// Makes the command and one command per topic known to the command line.

@@ -6,10 +6,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/blast_derived.hpp"
 #include "app/blast_reader.hpp"
 #include "blast/explosive.hpp"
-#include "blast/kingery_bulmash.hpp"
-#include "blast/pulse.hpp"
 
 namespace moraine {
 namespace {
@@ -19,13 +18,6 @@ using blast::Situation;
 using blast::Topic;
 
 constexpr std::size_t most_points = 10000;
-
-/// Reflection and pulse take their front from a charge where no pressure is given.
-bool from_charge(BlastReader const& reader, TopicCommand const& command) {
-  bool const may = command.topic == Topic::reflection || command.topic == Topic::pulse;
-  return may && !reader.given("--pressure") &&
-         (reader.given("--charge") || reader.given("--distance"));
-}
 
 void require(BlastReader& reader, TopicCommand const& command, BlastOptions const& options) {
   bool const charge = from_charge(reader, command);
@@ -48,8 +40,8 @@ void require(BlastReader& reader, TopicCommand const& command, BlastOptions cons
 }
 
 std::vector<std::string_view> known_flags(TopicCommand const& command) {
-  std::vector<std::string_view> known{"--units", "--csv",  "--plot",          "--json",
-                                      "--list",  "--help", command.sweep.flag};
+  std::vector<std::string_view> known{"--units", "--csv",  "--plot",  "--json",
+                                      "--list",  "--help", "--force", command.sweep.flag};
   for (QuantityOption const& option : quantity_options())
     if (command.uses(option.flag)) known.push_back(option.flag);
   for (NameOption const& option : name_options())
@@ -104,6 +96,11 @@ std::optional<std::size_t> read_count(BlastReader& reader, std::string_view flag
 }
 
 Sweep read_sweep(BlastReader& reader, SweepOption const& command, BlastOptions const& options) {
+  if (options.sweep.size() != 3) {
+    reader.complain(std::string(command.flag), options.sweep.front(),
+                    "is not all: first value, last value and number of values are expected");
+    return {};
+  }
   auto const target =
       std::ranges::find(quantity_options(), command.replaces, &QuantityOption::flag);
   QuantityOption option = *target;
@@ -158,63 +155,25 @@ void check_files(BlastReader& reader, TopicCommand const& command, BlastOptions 
   std::string const& plot = reader.text("--plot");
   if (!plot.empty() && !plot.ends_with(".svg") && !plot.ends_with(".png"))
     reader.complain("--plot", plot, "must end in .svg or .png");
+  if (!plot.empty() && plot == reader.text("--csv"))
+    reader.complain("--plot", plot, "is the file of --csv too", "name another file");
+  for (std::string_view const file : {"--csv", "--plot"}) reader.keep_existing(file);
 }
 
-/// Coupling of a buried charge: one from a depth of 2 ft/lb^(1/3) on, and below it an input.
-void derive_coupling(BlastReader& reader, Situation& situation) {
-  if (!std::isnan(situation.coupling)) return;
-  double const scaled = situation.depth / situation.size() / blast::foot_per_pound;
-  if (scaled >= blast::full_coupling_depth)
-    situation.coupling = 1.0;
-  else if (std::isnan(situation.depth) || !std::isnan(scaled))
-    reader.complain(
-        "--coupling", "",
-        std::isnan(scaled)
-            ? "is missing: of the charge to the ground"
-            : fmt::format("is missing: the depth is {:.3g} ft/lb^(1/3), below 2", scaled),
-        std::isnan(scaled) ? "give it, or a --depth: from 2 ft/lb^(1/3) on it is 1"
-                           : "give a number of at most 1");
-}
-
-/// Front, duration and impulse from a charge by Kingery-Bulmash.
-void derive_front(BlastReader const& reader, BlastOptions const& options, Topic topic,
-                  BlastInput& input, double& impulse) {
-  Situation& s = input.situation;
-  auto const burst = options.surface_burst ? blast::Burst::surface : blast::Burst::free_air;
-  double const z = s.scaled_distance();
-  s.overpressure = s.explosive_factor * blast::kingery_overpressure(burst, z);
-  blast::ScaledRange range = blast::kingery_range(burst);
-  std::string what = "peak";
-  if (topic == Topic::pulse) {
-    s.duration = s.size() * blast::kingery_duration(burst, z);
-    range = blast::kingery_duration_range(burst);
-    what = "peak and duration";
-    if (std::isnan(s.decay) && !reader.given("--impulse")) {
-      impulse = s.explosive_factor * s.size() * blast::kingery_impulse(burst, z);
-      what = "peak, duration and impulse";
-    }
+blast::GaugeReadings read_gauge_option(BlastReader& reader, BlastOptions const& options) {
+  std::string const &file = reader.text("--gauges"), &gauge = reader.text("--gauge");
+  if (file.empty() && gauge.empty()) return {};
+  if (!options.sweep.empty())
+    reader.complain("--gauges", file, "stands at one distance, not along a range");
+  if (file.empty()) reader.complain("--gauges", "", "is missing: gauges.json of the run");
+  if (gauge.empty()) reader.complain("--gauge", "", "is missing: which gauge of the run");
+  if (file.empty() || gauge.empty()) return {};
+  try {
+    return blast::read_gauge(file, gauge);
+  } catch (InputErrors const& errors) {
+    reader.complain(errors);
+    return {};
   }
-  input.notes.push_back(fmt::format("{} by kingery_bulmash", what));
-  if (z < range.low || z > range.high)
-    input.notes.push_back(
-        fmt::format("warning: that is outside its range: R/W^(1/3) is {:.4g} m/kg^(1/3), it holds "
-                    "for {:.4g} to {:.4g}",
-                    z, range.low, range.high));
-  if (!s.air_is_standard())
-    input.notes.emplace_back(
-        "warning: that was measured in air at sea level, 101.325 kPa and 1.225 kg/m^3");
-}
-
-void derive_decay(BlastReader& reader, BlastInput& input, double impulse) {
-  Situation& s = input.situation;
-  if (std::isnan(impulse) || std::isnan(s.duration)) return;
-  if (auto const k = blast::friedlander_decay(s.overpressure, s.duration, impulse))
-    s.decay = *k;
-  else if (reader.given("--impulse"))
-    reader.complain("--impulse", reader.text("--impulse"),
-                    "fits no decay: it must be above zero and at most half of peak times duration");
-  else
-    input.notes.emplace_back("warning: that impulse fits no decay of Friedlander's history");
 }
 
 }  // namespace
@@ -225,6 +184,7 @@ BlastInput read_blast_input(TopicCommand const& command, BlastOptions const& opt
   Situation& situation = input.situation;
   reader.refuse(options.extras, known_flags(command));
   require(reader, command, options);
+  refuse_two_fronts(reader, command, options);
   for (QuantityOption const& option : quantity_options())
     if (command.uses(option.flag) && reader.given(option.flag))
       option.target(situation) =
@@ -238,6 +198,7 @@ BlastInput read_blast_input(TopicCommand const& command, BlastOptions const& opt
     if (command.sweep.replaces == "--charge") input.sweep.factor *= mass_factor;
   }
   check_files(reader, command, options);
+  input.gauge = read_gauge_option(reader, options);
   double impulse = blast::unknown;
   if (reader.given("--impulse")) {
     Conversion const read = to_si(reader.text("--impulse"), blast::dimension(Kind::impulse));

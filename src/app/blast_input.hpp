@@ -6,6 +6,7 @@
 
 #include "app/blast_command.hpp"
 #include "app/blast_topics.hpp"
+#include "output/blast/gauge_readings.hpp"
 #include "output/blast/output_units.hpp"
 
 namespace moraine {
@@ -23,6 +24,7 @@ struct BlastInput {
   blast::Situation situation;
   blast::OutputUnits units;
   Sweep sweep;                     // without points: one answer
+  blast::GaugeReadings gauge;      // of a run, to set beside the answer
   std::vector<std::string> notes;  // what was derived, and what to mind about it
 };
 

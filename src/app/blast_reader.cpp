@@ -33,9 +33,8 @@ std::string const& BlastReader::text(std::string_view flag) const {
 
 void BlastReader::complain(std::string_view flag, std::string_view value, std::string rule,
                            std::string hint) {
-  problems_.push_back({command_, 0, 0, std::string(flag),
-                       value.empty() ? std::string() : fmt::format("\"{}\"", value),
-                       std::move(rule), std::move(hint)});
+  mistakes_.mistake(std::string(flag), value.empty() ? std::string() : fmt::format("\"{}\"", value),
+                    std::move(rule), std::move(hint));
 }
 
 std::optional<double> BlastReader::quantity(QuantityOption const& option, std::string const& text) {
@@ -67,10 +66,6 @@ void BlastReader::refuse(std::vector<std::string> const& extras,
     complain("", extra, "is not an option",
              name.empty() ? "see --help" : fmt::format("did you mean \"{}\"?", name));
   }
-}
-
-void BlastReader::finish() const {
-  if (!problems_.empty()) throw InputErrors(problems_);
 }
 
 }  // namespace moraine

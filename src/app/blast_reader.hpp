@@ -8,6 +8,7 @@
 
 #include "app/blast_command.hpp"
 #include "app/blast_topics.hpp"
+#include "app/unit_options.hpp"
 #include "base/input_error.hpp"
 
 namespace moraine {
@@ -15,7 +16,7 @@ namespace moraine {
 class BlastReader {
  public:
   BlastReader(std::string command, BlastOptions const& options)
-      : command_(std::move(command)), options_(options) {}
+      : mistakes_(std::move(command)), options_(options) {}
 
   /// What was written behind an option; empty where nothing was.
   std::string const& text(std::string_view flag) const;
@@ -45,13 +46,20 @@ class BlastReader {
     return nullptr;
   }
 
+  /// Complaints of an exception from elsewhere.
+  void complain(InputErrors const& errors) { mistakes_.add(errors); }
+
+  /// Complains about a file that exists, unless it may be replaced.
+  void keep_existing(std::string_view flag) {
+    mistakes_.check_output(std::string(flag), text(flag), options_.force);
+  }
+
   /// Throws InputErrors if there were complaints.
-  void finish() const;
+  void finish() const { mistakes_.raise(); }
 
  private:
-  std::string command_;
+  UnitOptions mistakes_;
   BlastOptions const& options_;
-  std::vector<InputProblem> problems_;
 };
 
 }  // namespace moraine

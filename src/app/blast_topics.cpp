@@ -74,6 +74,8 @@ constexpr std::array names{
     NameOption{"--soil", "kind of soil"},
     NameOption{"--ground", "kind of ground"},
     NameOption{"--impulse", "impulse of the positive phase, which gives the decay"},
+    NameOption{"--gauges", "gauges.json of a run, to set one of its gauges beside"},
+    NameOption{"--gauge", "which gauge of the run"},
 };
 
 constexpr std::array output_units{
@@ -89,16 +91,19 @@ constexpr SweepOption over_charge{"--charges", "--charge", "charge", true};
 
 constexpr std::array commands{
     TopicCommand{Topic::air, "a spherical charge in free air", "--charge --distance",
-                 "--explosive --pressure-factor --mass-factor --ambient-pressure --ambient-density",
+                 "--explosive --pressure-factor --mass-factor --ambient-pressure --ambient-density "
+                 "--gauges --gauge",
                  over_distance,
                  "moraine blast air --charge \"10 kg\" --distance \"5 m\"\n"
+                 "moraine blast air --charge \"10 kg\" --distance \"5 m\" --ambient-pressure "
+                 "\"70 kPa\" --ambient-density \"0.91 kg/m^3\"\n"
                  "moraine blast air --charge \"22 lb\" --explosive comp_b --distance \"16 ft\" "
                  "--units imperial\n"
                  "moraine blast air --charge \"10 kg\" --distances \"1 m\" \"50 m\" 40 --csv "
                  "air.csv --plot air.svg"},
     TopicCommand{Topic::surface, "a charge on the ground", "--charge --distance",
                  "--explosive --pressure-factor --mass-factor --ground-factor --ambient-pressure "
-                 "--ambient-density",
+                 "--ambient-density --gauges --gauge",
                  over_distance,
                  "moraine blast surface --charge \"100 kg\" --distance \"20 m\"\n"
                  "moraine blast surface --charge \"100 kg\" --distance \"20 m\" --pressure-unit "
@@ -126,7 +131,7 @@ constexpr std::array commands{
                  "ms\" 31 --csv pulse.csv"},
     TopicCommand{Topic::line, "beside a long charge", "--charge --length --distance",
                  "--explosive --pressure-factor --mass-factor --ambient-pressure "
-                 "--ambient-density",
+                 "--ambient-density --gauges --gauge",
                  over_distance,
                  "moraine blast line --charge \"10 kg\" --length \"20 m\" --distance \"3 m\""},
     TopicCommand{Topic::contact, "the impulse of a charge on a target",
@@ -150,8 +155,10 @@ constexpr std::array commands{
                  "moraine blast crater --charge \"10 kg\" --ground clay --depth \"6 m\" --soil "
                  "silty_clay --depth-factor 0.8"},
     TopicCommand{Topic::water, "the shock of a charge under water", "--charge --distance",
-                 "--explosive --pressure-factor --mass-factor", over_distance,
+                 "--time --explosive --pressure-factor --mass-factor --gauges --gauge",
+                 over_distance,
                  "moraine blast water --charge \"50 kg\" --distance \"20 m\" --pressure-unit bar\n"
+                 "moraine blast water --charge \"50 kg\" --distance \"20 m\" --time \"200 us\"\n"
                  "moraine blast water --charge \"50 kg\" --distances \"3 m\" \"100 m\" 30 --plot "
                  "water.png"},
     TopicCommand{Topic::bubble,

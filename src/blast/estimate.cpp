@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "blast/sachs.hpp"
+
 namespace moraine::blast {
 namespace {
 
@@ -21,12 +23,21 @@ std::string outside(Validity const& validity, double variable) {
 }
 
 Estimate evaluate(Relation const& relation, Situation const& situation) {
-  Outcome outcome = relation.evaluate(situation);
-  Estimate estimate{&relation, outcome.value, outcome.low,       outcome.high,
-                    unknown,   true,          relation.standing, {}};
+  bool const other_air = relation.sea_level_air && !situation.air_is_standard();
+  Situation const used = other_air ? at_sea_level(situation) : situation;
+  double const factor = other_air ? sachs_factor(info(relation.measure).kind, situation.air) : 1.0;
+  Outcome outcome = relation.evaluate(used);
+  Estimate estimate{&relation,
+                    factor * outcome.value,
+                    factor * outcome.low,
+                    factor * outcome.high,
+                    unknown,
+                    true,
+                    relation.standing,
+                    {}};
   if (outcome.doubtful) estimate.standing = Standing::doubtful;
   if (relation.validity.known == Validity::Known::range) {
-    estimate.variable = relation.validity.of(situation);
+    estimate.variable = relation.validity.of(used);
     estimate.in_range = within(relation.validity, estimate.variable);
     if (!estimate.in_range)
       estimate.warnings.push_back(outside(relation.validity, estimate.variable));
@@ -37,10 +48,8 @@ Estimate evaluate(Relation const& relation, Situation const& situation) {
   if (estimate.standing == Standing::doubtful)
     estimate.warnings.push_back(relation.note.empty() ? std::string("doubtful")
                                                       : fmt::format("doubtful: {}", relation.note));
-  bool const other_air = relation.sea_level_air && !situation.air_is_standard();
-  if (other_air)
-    estimate.warnings.emplace_back("measured in air at sea level, 101.325 kPa and 1.225 kg/m^3");
-  if (outcome.misused || other_air || !std::isfinite(estimate.value)) estimate.in_range = false;
+  if (other_air) estimate.warnings.emplace_back(sachs_caution);
+  if (outcome.misused || !std::isfinite(estimate.value)) estimate.in_range = false;
   return estimate;
 }
 

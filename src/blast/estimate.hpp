@@ -43,7 +43,7 @@ struct Answer {
 
 /// All relations of a topic for a situation. Outside its range a relation still gives its number,
 /// which then carries a warning; so do numbers of relations without a stated range, of doubtful
-/// standing, or measured in air at sea level when the air is not that.
+/// standing, or measured in air at sea level and carried over to other air (sachs.hpp).
 Answer answer(Topic topic, Situation const& situation);
 
 }  // namespace moraine::blast

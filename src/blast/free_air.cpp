@@ -40,7 +40,7 @@ double henrych_overpressure(double scaled_distance) {
   return kilopond_per_cm2 * ((3.288 * x + 4.05) * x + 0.662) * x;
 }
 
-double thesis_overpressure(double scaled_distance) {
+double three_term_overpressure(double scaled_distance) {
   return shape_fit_overpressure({4120.0, -105.0, 39.5}, scaled_distance);
 }
 

@@ -33,7 +33,7 @@ double henrych_overpressure(double scaled_distance);
 /// Peak overpressure [Pa], p in psi and Z in ft/lb^(1/3):
 ///   p = 4120/Z^3 - 105/Z^2 + 39.5/Z  for 3 <= Z <= 20 (2 to 160 psi).
 /// Source: a 2017 doctoral thesis on explosions in granular soil with SPH, chapter 3.
-double thesis_overpressure(double scaled_distance);
+double three_term_overpressure(double scaled_distance);
 
 /// Charges whose shape was fitted: p = a/Z^3 + b/Z^2 + c/Z psi, Z in ft/lb^(1/3). As printed the
 /// fits differ fivefold among each other and the signs of b are in doubt: for comparison with the

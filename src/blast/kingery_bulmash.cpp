@@ -156,12 +156,4 @@ double kingery_reflected_impulse(Burst burst, double scaled_distance) {
          of(burst, free_air_reflected_impulse, surface_reflected_impulse)(scaled_distance);
 }
 
-ScaledRange kingery_range(Burst burst) {
-  return {(burst == Burst::free_air ? 0.134 : 0.17) * foot_per_pound, 100.0 * foot_per_pound};
-}
-
-ScaledRange kingery_duration_range(Burst burst) {
-  return {(burst == Burst::free_air ? 0.37 : 0.45) * foot_per_pound, 100.0 * foot_per_pound};
-}
-
 }  // namespace moraine::blast

@@ -1,6 +1,8 @@
 // Air blast of TNT: the polynomials of Kingery and Bulmash.
 #pragma once
 
+#include "blast/scales.hpp"
+
 namespace moraine::blast {
 
 /// Where the charge lies: a sphere far from any surface, or a hemisphere on rigid ground.
@@ -31,8 +33,12 @@ double kingery_impulse(Burst burst, double scaled_distance);                 // 
 double kingery_reflected_impulse(Burst burst, double scaled_distance);       // Pa s/kg^(1/3)
 
 /// 0.134 to 100 ft/lb^(1/3) in free air, 0.17 to 100 at the surface.
-ScaledRange kingery_range(Burst burst);
+constexpr ScaledRange kingery_range(Burst burst) {
+  return {(burst == Burst::free_air ? 0.134 : 0.17) * foot_per_pound, 100.0 * foot_per_pound};
+}
 /// 0.37 to 100 ft/lb^(1/3) in free air, 0.45 to 100 at the surface.
-ScaledRange kingery_duration_range(Burst burst);
+constexpr ScaledRange kingery_duration_range(Burst burst) {
+  return {(burst == Burst::free_air ? 0.37 : 0.45) * foot_per_pound, 100.0 * foot_per_pound};
+}
 
 }  // namespace moraine::blast

@@ -9,8 +9,10 @@ namespace {
 
 std::vector<Relation> gather() {
   std::vector<Relation> all;
-  for (auto const list : {air_relations(), surface_relations(), reflection_relations(),
-                          pulse_relations(), ground_relations(), water_relations()})
+  for (auto const list :
+       {kingery_air_relations(), air_relations(), kingery_surface_relations(), surface_relations(),
+        reflection_relations(), pulse_relations(), line_relations(), ground_relations(),
+        crater_relations(), water_relations()})
     all.insert(all.end(), list.begin(), list.end());
   return all;
 }

@@ -74,7 +74,7 @@ struct Relation {
   std::string_view source;
   std::string_view note = "";  // assumptions and corrections; may be empty
   Validity validity;
-  bool sea_level_air = false;                   // measured in it
+  bool sea_level_air = false;                   // measured in it; other air: sachs.hpp
   std::string_view needs = "";                  // options without which it does not apply
   bool (*applies)(Situation const&) = nullptr;  // null: always
   Outcome (*evaluate)(Situation const&);
@@ -83,13 +83,17 @@ struct Relation {
 /// All relations, by topic in the order of the enum.
 std::span<Relation const> relations();
 
-/// The lists of the topics, one file each.
+/// Their parts, one file each.
+std::span<Relation const> kingery_air_relations();
 std::span<Relation const> air_relations();
+std::span<Relation const> kingery_surface_relations();
 std::span<Relation const> surface_relations();
 std::span<Relation const> reflection_relations();
 std::span<Relation const> pulse_relations();
-std::span<Relation const> ground_relations();  // line to crater
-std::span<Relation const> water_relations();   // water and bubble
+std::span<Relation const> line_relations();
+std::span<Relation const> ground_relations();  // contact to displacement
+std::span<Relation const> crater_relations();
+std::span<Relation const> water_relations();  // water and bubble
 
 /// "0.134 to 100 ft/lb^(1/3) (Z = R/W^(1/3))", "no range stated by the source".
 std::string describe(Validity const& validity);

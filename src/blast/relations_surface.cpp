@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "blast/free_air.hpp"
+#include "blast/kingery_relations.hpp"
 #include "blast/kingery_swisdak.hpp"
 #include "blast/sources.hpp"
 #include "blast/surface_burst.hpp"
@@ -12,24 +13,6 @@ namespace moraine::blast {
 namespace {
 
 constexpr Topic topic = Topic::surface;
-constexpr Burst burst = Burst::surface;
-
-constexpr Validity kingery = scaled_imperial(0.17, 100.0);
-constexpr std::string_view polynomial = "log10 Y = sum c_i (U_0 + U_1 log10 Z)^i";
-
-constexpr Relation kingery_relation(Measure measure, Validity const& validity,
-                                    Outcome (*evaluate)(Situation const&)) {
-  return {.name = "kingery_bulmash",
-          .topic = topic,
-          .measure = measure,
-          .standing = Standing::recommended,
-          .formula = polynomial,
-          .source = kingery_source,
-          .note = "hemispherical charge on rigid ground",
-          .validity = validity,
-          .sea_level_air = true,
-          .evaluate = evaluate};
-}
 
 constexpr Relation swisdak_relation(Measure measure, ScaledRange const& range,
                                     Outcome (*evaluate)(Situation const&)) {
@@ -66,10 +49,6 @@ constexpr Validity enlarged_range(double low, double high) {
 }
 
 constexpr std::array list{
-    kingery_relation(Measure::peak_overpressure, kingery,
-                     [](Situation const& s) -> Outcome {
-                       return s.explosive_factor * kingery_overpressure(burst, s.scaled_distance());
-                     }),
     swisdak_relation(Measure::peak_overpressure, swisdak_overpressure_range,
                      [](Situation const& s) -> Outcome {
                        return s.explosive_factor * swisdak_overpressure(s.scaled_distance());
@@ -81,6 +60,7 @@ constexpr std::array list{
              .formula = "kinney_graham of free air with f W, f of 1.7 to 2",
              .source = kinney_source,
              .validity = enlarged_range(0.0532, 39.6),
+             .sea_level_air = true,
              .evaluate =
                  [](Situation const& s) {
                    return enlarged(
@@ -95,32 +75,24 @@ constexpr std::array list{
              .validity = enlarged_range(0.05, 10.0),
              .sea_level_air = true,
              .evaluate = [](Situation const& s) { return enlarged(s, henrych_overpressure); }},
-    kingery_relation(Measure::reflected_overpressure, kingery,
-                     [](Situation const& s) -> Outcome {
-                       return s.explosive_factor *
-                              kingery_reflected_overpressure(burst, s.scaled_distance());
-                     }),
     swisdak_relation(Measure::reflected_overpressure, swisdak_range,
                      [](Situation const& s) -> Outcome {
                        return s.explosive_factor *
                               swisdak_reflected_overpressure(s.scaled_distance());
                      }),
-    kingery_relation(Measure::impulse, kingery,
-                     [](Situation const& s) -> Outcome {
-                       return s.explosive_factor * s.size() *
-                              kingery_impulse(burst, s.scaled_distance());
-                     }),
     swisdak_relation(Measure::impulse, swisdak_impulse_range,
                      [](Situation const& s) -> Outcome {
                        return s.explosive_factor * s.size() * swisdak_impulse(s.scaled_distance());
                      }),
-    Relation{.name = "thesis_impulse",
+    Relation{.name = "inverse_distance",
              .topic = topic,
              .measure = Measure::impulse,
              .standing = Standing::comparison,
              .formula = "I = K W^(2/3)/R lbf s/in^2, K .054, heavy case .036, bare .081",
              .source = thesis_source,
+             .note = "between the bounds the case decides",
              .validity = unstated,
+             .sea_level_air = true,
              .evaluate = [](Situation const& s) -> Outcome {
                auto const at = [&](double k) {
                  return s.explosive_factor * surface_impulse(s.charge_mass, s.distance, k);
@@ -128,27 +100,14 @@ constexpr std::array list{
                return {at(usual_impulse_factor), at(heavy_case_impulse_factor),
                        at(bare_charge_impulse_factor)};
              }},
-    kingery_relation(Measure::reflected_impulse, kingery,
-                     [](Situation const& s) -> Outcome {
-                       return s.explosive_factor * s.size() *
-                              kingery_reflected_impulse(burst, s.scaled_distance());
-                     }),
     swisdak_relation(Measure::reflected_impulse, swisdak_range,
                      [](Situation const& s) -> Outcome {
                        return s.explosive_factor * s.size() *
                               swisdak_reflected_impulse(s.scaled_distance());
                      }),
-    kingery_relation(Measure::arrival_time, kingery,
-                     [](Situation const& s) -> Outcome {
-                       return s.size() * kingery_arrival_time(burst, s.scaled_distance());
-                     }),
     swisdak_relation(Measure::arrival_time, swisdak_range,
                      [](Situation const& s) -> Outcome {
                        return s.size() * swisdak_arrival_time(s.scaled_distance());
-                     }),
-    kingery_relation(Measure::positive_duration, scaled_imperial(0.45, 100.0),
-                     [](Situation const& s) -> Outcome {
-                       return s.size() * kingery_duration(burst, s.scaled_distance());
                      }),
     swisdak_relation(Measure::positive_duration, swisdak_duration_range,
                      [](Situation const& s) -> Outcome {
@@ -162,5 +121,10 @@ constexpr std::array list{
 }  // namespace
 
 std::span<Relation const> surface_relations() { return list; }
+
+std::span<Relation const> kingery_surface_relations() {
+  static constexpr auto kingery = kingery_relations<Burst::surface>(topic);
+  return kingery;
+}
 
 }  // namespace moraine::blast

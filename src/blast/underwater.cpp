@@ -25,7 +25,7 @@ double kirkwood_brinkley_pressure(double scaled_distance) {
 
 double cole_pressure(double scaled_distance) { return 52.4e6 * std::pow(scaled_distance, -1.13); }
 
-double thesis_water_impulse(double scaled_distance) {
+double inverse_distance_water_impulse(double scaled_distance) {
   return psi * 2.11 / cube_root_of_pound * (foot_per_pound / scaled_distance);
 }
 

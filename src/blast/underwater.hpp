@@ -16,7 +16,7 @@ double cole_pressure(double scaled_distance);
 
 /// Impulse per area [Pa s/kg^(1/3)]: I = 2.11 W^(2/3)/R lbf s/in^2, W in lb, R in ft. Source: the
 /// thesis as above.
-double thesis_water_impulse(double scaled_distance);
+double inverse_distance_water_impulse(double scaled_distance);
 
 /// Similitude equations for TNT, X = W^(1/3)/R in kg^(1/3)/m:
 ///   p = 52.16e6 X^1.13 Pa, theta = 96.5e-6 W^(1/3) X^-0.22 s, I = 5750 W^(1/3) X^0.89 Pa s,

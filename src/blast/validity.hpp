@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "blast/kingery_bulmash.hpp"
 #include "blast/relation.hpp"
 
 namespace moraine::blast {
@@ -26,6 +27,9 @@ constexpr Validity scaled_imperial(double low, double high) {
   return range_of(
       "R/W^(1/3)", "ft/lb^(1/3)", [](Situation const& s) { return s.scaled_distance_imperial(); },
       low, high);
+}
+constexpr Validity scaled_imperial(ScaledRange const& range) {
+  return scaled_imperial(range.low / foot_per_pound, range.high / foot_per_pound);
 }
 
 }  // namespace moraine::blast

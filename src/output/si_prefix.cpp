@@ -33,7 +33,9 @@ std::string_view symbol_of(int exponent) {
 
 std::string typeset(std::string_view unit) {
   std::string text;
-  for (std::size_t i = 0; i < unit.size(); ++i) {
+  std::size_t const micro = unit == "us" ? 1 : 0;
+  if (micro == 1) text = "µ";
+  for (std::size_t i = micro; i < unit.size(); ++i) {
     bool const power = unit[i] == '^' && i + 1 < unit.size();
     if (power && unit[i + 1] == '2') {
       text += "²";

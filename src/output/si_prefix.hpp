@@ -19,7 +19,7 @@ struct DisplayUnit {
 /// 0.01 and 10 000 stay as they are. Powers are typeset: "m^2" becomes "m²".
 DisplayUnit display_unit(std::string_view unit, double largest);
 
-/// "kPa·ms" for "kPa ms", "m³" for "m^3".
+/// "kPa·ms" for "kPa ms", "m³" for "m^3", "µs" for "us".
 std::string typeset_unit(std::string_view unit);
 
 /// "10⁻⁵".

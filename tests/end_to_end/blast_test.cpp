@@ -1,75 +1,19 @@
-// `moraine blast`: what it prints, writes and refuses; the examples of its help and of its page.
+// `moraine blast`: what it prints and writes; the examples of its help and of its page.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "blast/kingery_bulmash.hpp"
 #include "blast/relation.hpp"
+#include "end_to_end/blast_command.hpp"
 #include "output/table_csv.hpp"
-#include "support/program.hpp"
-#include "unit/output/scratch_folder.hpp"
 
 namespace moraine {
 namespace {
-
-/// Words of a command line, as a shell splits them.
-std::vector<std::string> words_of(std::string const& line) {
-  std::vector<std::string> words;
-  std::string word;
-  bool quoted = false, open = false;
-  for (char const c : line + " ") {
-    if (c == '"') {
-      quoted = !quoted;
-      open = true;
-    } else if (c != ' ' || quoted) {
-      word += c;
-      open = true;
-    } else if (open) {
-      words.push_back(word);
-      word.clear();
-      open = false;
-    }
-  }
-  return words;
-}
-
-class BlastCommand : public ScratchFolder {
- protected:
-  /// Runs "blast ...", or "moraine blast ..." with its first word.
-  CommandResult call(std::string const& line) {
-    std::vector<std::string> words = words_of(line);
-    if (!words.empty() && words.front() == "moraine") words.erase(words.begin());
-    return moraine_command(path(""), words);
-  }
-
-  nlohmann::json json(std::string const& line) {
-    CommandResult const result = call(line + " --json");
-    EXPECT_EQ(result.code, 0) << line << "\n" << result.err;
-    return nlohmann::json::parse(result.out);
-  }
-
-  /// Value of the first estimate of a measure by a relation.
-  static double value(nlohmann::json const& answer, std::string const& measure,
-                      std::string const& relation) {
-    for (auto const& estimate : answer.at("estimates"))
-      if (estimate.at("measure") == measure && estimate.at("relation") == relation)
-        return estimate.at("value");
-    ADD_FAILURE() << measure << " by " << relation << " is missing";
-    return 0.0;
-  }
-
-  void expect_files(std::vector<std::string> const& words) {
-    for (std::size_t i = 0; i + 1 < words.size(); ++i)
-      if (words[i] == "--csv" || words[i] == "--plot") {
-        EXPECT_GT(std::filesystem::file_size(path(words[i + 1])), 500u) << words[i + 1];
-      }
-  }
-};
 
 TEST_F(BlastCommand, ExamplesOfEveryHelpRun) {
   std::vector<std::string> helps{"blast --help"};
@@ -209,6 +153,43 @@ TEST_F(BlastCommand, SweptChargesCountInTnt) {
   EXPECT_NEAR(last / first, 2.0, 1e-12);
 }
 
+// A gauge of a run, as `gauges.json` tells of it, beside the relations.
+TEST_F(BlastCommand, SetsAGaugeBesideTheRelations) {
+  write(path("gauges.json"), R"({"gauges": [
+    {"name": "lake", "seen": true, "columns": {"lake level": {"unit": "m", "largest": 1.0}}},
+    {"name": "A", "seen": true, "columns": {
+      "A density": {"unit": "kg/m^3", "first": 1.2, "largest": 3.0},
+      "A pressure": {"unit": "Pa", "first": 101325.0, "largest": 241325.0, "impulse": 170.0,
+                     "arrival": 0.0055}}},
+    {"name": "B", "seen": false, "columns": {"B pressure": {"unit": "Pa", "first": null,
+      "largest": null, "impulse": 0.0}}}]})");
+  std::string const line = "blast air --charge \"10 kg\" --distance \"5 m\" --gauges gauges.json";
+  auto const answer = json(line + " --gauge A");
+  auto const& readings = answer.at("gauge").at("readings");
+  ASSERT_EQ(readings.size(), 3u);
+  double const peak = value(answer, "peak_overpressure", "kingery_bulmash");
+  EXPECT_EQ(readings[0].at("measure"), "peak_overpressure");
+  EXPECT_EQ(readings[0].at("value"), 140000.0);
+  EXPECT_EQ(readings[0].at("relation"), "kingery_bulmash");
+  EXPECT_NEAR(readings[0].at("ratio"), 140000.0 / peak, 1e-12);
+  EXPECT_EQ(readings[1].at("measure"), "impulse");
+  EXPECT_EQ(readings[2].at("measure"), "arrival_time");
+  std::string const text = call(line + " --gauge A").out;
+  EXPECT_NE(text.find("gauge A                   140.0                        0.998 of "
+                      "kingery_bulmash\n"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(call(line + " --gauge a").err,
+            "gauges.json: \"a\" is not a gauge of this run; choose one of \"lake\", \"A\", "
+            "\"B\"\n");
+  EXPECT_EQ(call(line + " --gauge B").err, "gauges.json: \"B\" has seen no pressure\n");
+  write(path("other.json"), R"({"gauges": [1, 2]})");
+  EXPECT_EQ(
+      call("blast air --charge \"10 kg\" --distance \"5 m\" --gauges other.json --gauge A").err,
+      "other.json: is no summary of gauges; name the gauges.json of a run\n");
+  EXPECT_EQ(call(line).err, "moraine blast air: --gauge: is missing: which gauge of the run\n");
+}
+
 TEST_F(BlastCommand, ListsRelationsWithSources) {
   auto const all = nlohmann::json::parse(call("blast --list --json").out);
   EXPECT_EQ(all.size(), blast::relations().size());
@@ -218,78 +199,31 @@ TEST_F(BlastCommand, ListsRelationsWithSources) {
   EXPECT_NE(call("blast --list").out.find("ARBRL-TR-02555"), std::string::npos);
 }
 
-TEST_F(BlastCommand, TellsAllMistakesAtOnceAndWritesNothing) {
+// A front that comes from a charge is that of the air around it.
+TEST_F(BlastCommand, FrontsOfChargesKnowTheirAir) {
+  std::string const place =
+      " --charge \"10 kg\" --distance \"5 m\" --ambient-pressure \"70 kPa\" "
+      "--ambient-density \"0.9 kg/m^3\"";
+  auto const air = json("blast air" + place);
+  auto const pulse = json("blast pulse --time \"0 s\"" + place);
+  double const peak = value(air, "peak_overpressure", "kingery_bulmash");
+  EXPECT_NEAR(value(pulse, "overpressure", "friedlander"), peak, 1e-9 * peak);
+  double const impulse = value(air, "impulse", "kingery_bulmash");
+  EXPECT_NEAR(value(pulse, "impulse", "friedlander"), impulse, 1e-9 * impulse);
+  auto const wall = json("blast reflection" + place);
+  double const reflected = value(air, "reflected_overpressure", "rankine_hugoniot");
+  EXPECT_NEAR(value(wall, "reflected_overpressure", "normal"), reflected, 1e-9 * reflected);
+}
+
+TEST_F(BlastCommand, AnswersTellWhatTheyAssume) {
   CommandResult const result = call(
-      "blast air --charge \"10 s\" --distance \"-5 m\" --explosive tnd --units metrc "
-      "--pressure-unit m --csv a.csv --plott a.svg");
-  EXPECT_EQ(result.code, 2);
-  EXPECT_EQ(result.out, "");
+      "blast buried --charge \"1 kg\" --distance \"2 m\" --soil "
+      "loam --coupling 1");
+  EXPECT_NE(result.out.find("notes\n"), std::string::npos);
+  EXPECT_NE(result.out.find("powers corrected to those of 2 I/p"), std::string::npos);
   EXPECT_EQ(
-      result.err,
-      "moraine blast air: \"--plott\" is not an option; did you mean \"--plot\"?\n"
-      "moraine blast air: \"a.svg\" is not an option; see --help\n"
-      "moraine blast air: --charge: \"10 s\" is a time; a mass is expected (kg)\n"
-      "moraine blast air: --distance: \"-5 m\" must be above zero\n"
-      "moraine blast air: --explosive: \"tnd\" is not in the list; did you mean \"tnt\"?\n"
-      "moraine blast air: --units: \"metrc\" is not a system of units; did you mean "
-      "\"metric\"?\n"
-      "moraine blast air: --pressure-unit: \"m\" is a length; a pressure is expected (Pa)\n"
-      "moraine blast air: --csv: needs a range of values; add --distances FIRST LAST COUNT\n");
-  EXPECT_FALSE(std::filesystem::exists(path("a.csv")));
-}
-
-struct Mistake {
-  char const* line;
-  char const* message;
-};
-
-TEST_F(BlastCommand, SaysWhatIsWrong) {
-  for (auto const& [line, message] : {
-           Mistake{"blast air --distance \"5 m\"",
-                   "moraine blast air: --charge: is missing: mass of the charge; give a mass\n"},
-           Mistake{"blast watr",
-                   "moraine blast: \"watr\" is not a topic; did you mean \"water\"?\n"},
-           Mistake{"blast air --charge 10 --distance \"5 m\"",
-                   "moraine blast air: --charge: \"10\" is a plain number; a mass is expected "
-                   "(kg); write \"10 kg\"\n"},
-           Mistake{"blast air --charge \"1 kg\" --distance \"1 m\" --distances \"1 m\" \"2 m\" 5",
-                   "moraine blast air: --distance: \"1 m\" and --distances exclude each other\n"},
-           Mistake{"blast air --charge \"1 kg\" --distances \"5 m\" \"1 m\" 5",
-                   "moraine blast air: --distances: \"1 m\" must be above the first value\n"},
-           Mistake{"blast air --charge \"1 kg\" --distances \"1 m\" \"5 m\" 1",
-                   "moraine blast air: --distances: \"1\" is not a number of points from 2 to "
-                   "10000\n"},
-           Mistake{"blast reflection",
-                   "moraine blast reflection: --pressure: is missing: overpressure of the incident "
-                   "front or peak of the pulse; give a pressure, or --charge and --distance\n"},
-           Mistake{"blast reflection --pressure \"1 bar\" --angle \"90 deg\"",
-                   "moraine blast reflection: --angle: \"90 deg\" must be at least 0 and below 90 "
-                   "deg\n"},
-           Mistake{"blast buried --charge \"1 kg\" --distance \"2 m\" --soil loma --coupling 1.2",
-                   "moraine blast buried: --coupling: \"1.2\" must be above 0 and at most 1\n"
-                   "moraine blast buried: --soil: \"loma\" is not in the list; did you mean "
-                   "\"loam\"?\n"},
-           Mistake{"blast buried --charge \"1 kg\" --distance \"2 m\" --soil loam --depth \"1 cm\"",
-                   "moraine blast buried: --coupling: is missing: the depth is 0.0252 ft/lb^(1/3), "
-                   "below 2; give a number of at most 1\n"},
-           Mistake{"blast pulse --pressure \"1 kPa\" --duration \"1 ms\" --impulse \"1 kPa ms\"",
-                   "moraine blast pulse: --impulse: \"1 kPa ms\" fits no decay: it must be above "
-                   "zero and at most half of peak times duration\n"},
-           Mistake{"blast air --charge \"1 kg\" --distances \"1 m\" \"5 m\" 3 --plot a.pdf",
-                   "moraine blast air: --plot: \"a.pdf\" must end in .svg or .png\n"},
-       }) {
-    CommandResult const result = call(line);
-    EXPECT_EQ(result.code, 2) << line;
-    EXPECT_EQ(result.err, message) << line;
-    EXPECT_EQ(result.out, "") << line;
-  }
-}
-
-TEST_F(BlastCommand, SaysWhenItCannotWrite) {
-  write(path("file"), "");
-  CommandResult const result =
-      call("blast air --charge \"1 kg\" --distances \"1 m\" \"5 m\" 3 --csv file/a.csv");
-  EXPECT_EQ(result.code, 4) << result.err;
+      json("blast surface --charge \"1 kg\" --distance \"2 m\"").at("estimates").at(0).at("note"),
+      "hemispherical charge on rigid ground");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "output/blast/answer_json.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace moraine::blast {
@@ -36,7 +37,8 @@ Json estimate_json(Estimate const& estimate, OutputUnits const& units) {
               {"range", std::move(range)},
               {"warnings", estimate.warnings},
               {"formula", relation.formula},
-              {"source", relation.source}};
+              {"source", relation.source},
+              {"note", relation.note}};
 }
 
 }  // namespace
@@ -57,6 +59,23 @@ Json to_json(Answer const& answer, OutputUnits const& units) {
     json["unanswered"].push_back({{"measure", info(unanswered.relation->measure).name},
                                   {"relation", unanswered.relation->name},
                                   {"needs", unanswered.needs}});
+  return json;
+}
+
+Json to_json(GaugeReadings const& gauge, Answer const& answer, OutputUnits const& units) {
+  Json json{{"name", gauge.gauge}, {"readings", Json::array()}};
+  for (auto const& [measure, value] : gauge.readings) {
+    auto const same = [&](Estimate const& e) { return e.relation->measure == measure; };
+    if (std::ranges::none_of(answer.estimates, same)) continue;
+    Json reading{{"measure", info(measure).name},
+                 {"value", number(units.shown(measure, value))},
+                 {"unit", units.unit(measure)}};
+    if (Estimate const* beside = yardstick(answer, measure)) {
+      reading["relation"] = beside->relation->name;
+      reading["ratio"] = number(value / beside->value);
+    }
+    json["readings"].push_back(std::move(reading));
+  }
   return json;
 }
 

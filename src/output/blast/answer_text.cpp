@@ -1,8 +1,10 @@
 #include "output/blast/answer_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace moraine::blast {
@@ -35,6 +37,7 @@ class Footnotes {
 
 /// A relation is not recommended where it does not hold.
 std::string_view worth(Estimate const& estimate) {
+  if (!std::isfinite(estimate.value)) return "no solution";
   bool const doubtful = estimate.standing == Standing::doubtful;
   return estimate.in_range || doubtful ? name_of(estimate.standing) : "outside its range";
 }
@@ -49,6 +52,28 @@ std::string line(Estimate const& estimate, OutputUnits const& units, Footnotes& 
                      footnotes.marks(estimate.warnings));
 }
 
+/// Assumptions and corrections, each once with the names of its relations. Those of doubtful ones
+/// stand in their warnings.
+std::string notes_text(Answer const& answer) {
+  struct Note {
+    std::string_view text;
+    std::vector<std::string_view> names;
+  };
+  std::vector<Note> notes;
+  for (Estimate const& estimate : answer.estimates) {
+    Relation const& relation = *estimate.relation;
+    if (relation.note.empty() || estimate.standing == Standing::doubtful) continue;
+    auto note = std::ranges::find(notes, relation.note, &Note::text);
+    if (note == notes.end()) note = notes.insert(notes.end(), {relation.note, {}});
+    if (std::ranges::find(note->names, relation.name) == note->names.end())
+      note->names.push_back(relation.name);
+  }
+  std::string text = notes.empty() ? "" : "\nnotes\n";
+  for (Note const& note : notes)
+    text += fmt::format("  {}: {}\n", fmt::join(note.names, ", "), note.text);
+  return text;
+}
+
 std::string spread_line(Answer const& answer, Measure measure, OutputUnits const& units) {
   auto const spread = std::ranges::find(answer.spreads, measure, &Spread::measure);
   if (spread == answer.spreads.end()) return {};
@@ -58,14 +83,29 @@ std::string spread_line(Answer const& answer, Measure measure, OutputUnits const
                      readable(units.shown(measure, spread->high)), spread->high / spread->low);
 }
 
+std::string gauge_line(Answer const& answer, Measure measure, OutputUnits const& units,
+                       GaugeReadings const& gauge) {
+  auto const reading = gauge.of(measure);
+  if (!reading) return {};
+  Estimate const* beside = yardstick(answer, measure);
+  std::string const worth =
+      beside == nullptr
+          ? std::string("measured in the run")
+          : fmt::format("{:.3f} of {}", *reading / beside->value, beside->relation->name);
+  return fmt::format("  {:<26}{:<28} {}\n", "gauge " + gauge.gauge,
+                     readable(units.shown(measure, *reading)), worth);
+}
+
 }  // namespace
 
-std::string answer_text(Answer const& answer, OutputUnits const& units) {
+std::string answer_text(Answer const& answer, OutputUnits const& units,
+                        GaugeReadings const& gauge) {
   std::string text;
   Footnotes footnotes;
   std::optional<Measure> current;
   auto const close = [&] {
-    if (current) text += spread_line(answer, *current, units);
+    if (!current) return;
+    text += spread_line(answer, *current, units) + gauge_line(answer, *current, units, gauge);
   };
   for (Estimate const& estimate : answer.estimates) {
     Measure const measure = estimate.relation->measure;
@@ -77,7 +117,7 @@ std::string answer_text(Answer const& answer, OutputUnits const& units) {
     text += line(estimate, units, footnotes);
   }
   close();
-  text += footnotes.text();
+  text += footnotes.text() + notes_text(answer);
   for (std::size_t i = 0; i < answer.unanswered.size(); ++i)
     text += fmt::format("{}  {} by {} needs {}\n", i == 0 ? "\nnot answered\n" : "",
                         words(info(answer.unanswered[i].relation->measure).name),

@@ -58,8 +58,10 @@ void draw_series(std::filesystem::path const& path, std::string const& title, Se
     panels.back().curves.push_back(part(column, true));
     panels.back().curves.push_back(part(column, false));
   }
-  plot::draw_stacked_panels(path, title, {series.variable, series.points}, series.unit, panels,
-                            scale);
+  // Relations that agree hide each other: the first one of a panel shows below the others.
+  for (plot::CurvePanel& panel : panels) panel.curves.front().broad = panel.curves.size() > 2;
+  plot::draw_stacked_panels(path, plot::heading(title), {series.variable, series.points},
+                            series.unit, panels, scale);
 }
 
 }  // namespace moraine::blast

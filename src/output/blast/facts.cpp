@@ -40,8 +40,10 @@ std::vector<std::string> facts(Topic topic, Situation const& s, UnitSystem syste
                                 readable(s.charge_mass), readable(s.charge_mass / pound)));
   if (topic == Topic::line)
     lines.push_back(
-        fmt::format("R sqrt(L/W) is {} m/sqrt(kg/m)",
-                    readable(line_scaled_distance(s.charge_mass, s.length, s.distance))));
+        fmt::format("R sqrt(L/W) is {} m/sqrt(kg/m), R/R_0 is {}",
+                    readable(line_scaled_distance(s.charge_mass, s.length, s.distance)),
+                    readable(s.distance / sachs_length(Source::line, tnt_energy * s.charge_mass,
+                                                       s.length, s.air.pressure))));
   else if (std::isfinite(s.scaled_distance()))
     lines.push_back(fmt::format("R/W^(1/3) is {} m/kg^(1/3) or {} ft/lb^(1/3)",
                                 readable(s.scaled_distance()),

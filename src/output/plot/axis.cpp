@@ -14,6 +14,7 @@ namespace {
 constexpr double tick_length = 3.0;    // pt
 constexpr double tick_gap = 6.0;       // pt, from the axis to the numbers
 constexpr double label_offset = 12.0;  // pt, from the left end of the room to the label's middle
+constexpr double line_spacing = 11.5;  // pt, between the lines of a label
 
 struct Step {
   double size;
@@ -153,6 +154,22 @@ std::string axis_label(std::string_view name, std::string_view unit) {
   return unit.empty() ? heading(name) : fmt::format("{} ({})", heading(name), unit);
 }
 
+std::vector<std::string> label_lines(std::string const& label, double room) {
+  if (text_width(label, label_style) <= room) return {label};
+  std::size_t best = std::string::npos;
+  double shortest = text_width(label, label_style);
+  for (std::size_t at = label.find(' '); at != std::string::npos; at = label.find(' ', at + 1)) {
+    double const longer = std::max(text_width(label.substr(0, at), label_style),
+                                   text_width(label.substr(at + 1), label_style));
+    if (longer < shortest) {
+      shortest = longer;
+      best = at;
+    }
+  }
+  if (best == std::string::npos) return {label};
+  return {label.substr(0, best), label.substr(best + 1)};
+}
+
 Ticks Panel::x_ticks() const {
   return ticks_of(x_, std::max(2, static_cast<int>(area_.width / 55.0)));
 }
@@ -172,7 +189,8 @@ double Panel::y_label_room() const {
   double widest = 0.0;
   for (std::string const& label : y_ticks().labels)
     widest = std::max(widest, text_width(label, tick_style));
-  return tick_gap + widest + 2.0 * label_offset;
+  auto const lines = static_cast<double>(label_lines(y_.label, area_.height).size());
+  return tick_gap + widest + 2.0 * label_offset + (lines - 1.0) * line_spacing;
 }
 
 void Panel::draw_axes(Canvas& canvas, PanelText const& text, double room) const {
@@ -198,8 +216,12 @@ void Panel::draw_axes(Canvas& canvas, PanelText const& text, double room) const 
   if (text.x_labels)
     canvas.text(area_.left + area_.width / 2.0, area_.bottom() + 25.0, x_.label, style);
   style.upward = true;
-  if (text.y_labels)
-    canvas.text(area_.left - room + label_offset, area_.top + area_.height / 2.0, y_.label, style);
+  if (!text.y_labels) return;
+  double x = area_.left - room + label_offset;
+  for (std::string const& line : label_lines(y_.label, area_.height)) {
+    canvas.text(x, area_.top + area_.height / 2.0, line, style);
+    x += line_spacing;
+  }
 }
 
 }  // namespace moraine::plot

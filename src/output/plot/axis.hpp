@@ -54,6 +54,10 @@ Axis rounded_out(Axis axis);
 /// "wall_pressure" becomes "Wall pressure".
 std::string heading(std::string_view name);
 
+/// The lines in which a label is written: one, or two of about equal length where it is wider than
+/// `room` [pt] and has a blank to break at.
+std::vector<std::string> label_lines(std::string const& label, double room);
+
 /// "Pressure (MPa)"; the name alone for an empty unit.
 std::string axis_label(std::string_view name, std::string_view unit);
 
@@ -75,7 +79,7 @@ class Panel {
   /// Grid lines, below the data.
   void draw_grid(Canvas& canvas) const;
   /// Axis lines, ticks and labels, above the data. The rotated label stands at the left end of the
-  /// `room` [pt] to the left of the area.
+  /// `room` [pt] to the left of the area, in two lines where one is longer than the area is high.
   void draw_axes(Canvas& canvas, PanelText const& text, double room) const;
   /// Room that ticks and label need to the left of the area [pt].
   double y_label_room() const;

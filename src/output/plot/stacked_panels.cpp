@@ -166,6 +166,7 @@ void draw_panel(Canvas& canvas, Page const& page, CurvePanel const& data, Rect c
     auto const place =
         std::find(page.names.begin(), page.names.end(), curve.name) - page.names.begin();
     CurveStyle style = style_of(static_cast<std::size_t>(place));
+    if (curve.broad) style.width *= 2.5;
     if (curve.faint) style = {.color = style.color, .width = 0.6, .dashed = true};
     draw_curve(canvas, panel, page.x, scaled(curve.values, value.factor), style);
   }

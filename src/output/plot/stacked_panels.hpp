@@ -14,6 +14,7 @@ struct Curve {
   std::string name;  // in the legend, unless empty; curves of the same name share a colour
   std::vector<double> values;
   bool faint = false;  // thin and dashed; shapes no axis where there are others
+  bool broad = false;  // seen on both sides of a curve that lies on it
 };
 
 /// Curves of one quantity.

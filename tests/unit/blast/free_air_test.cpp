@@ -23,13 +23,13 @@ TEST(FreeAir, ValuesOfTheFormulas) {
   EXPECT_NEAR(henrych_overpressure(0.1) / 98066.5, 140.717 + 553.97 - 357.2 + 62.5, 1e-9);
   EXPECT_NEAR(henrych_overpressure(0.5) / 98066.5, 12.3876 - 1.3048 + 17.0592, 1e-9);
   EXPECT_NEAR(henrych_overpressure(2.0) / 98066.5, 0.331 + 1.0125 + 0.411, 1e-12);
-  EXPECT_NEAR(thesis_overpressure(10.0 * foot_per_pound) / psi, 4.12 - 1.05 + 3.95, 1e-12);
+  EXPECT_NEAR(three_term_overpressure(10.0 * foot_per_pound) / psi, 4.12 - 1.05 + 3.95, 1e-12);
 }
 
 // The range that the source prints: 3 to 20 ft/lb^(1/3) are 160 to 2 psi.
 TEST(FreeAir, ThesisFitSpansItsPressures) {
-  EXPECT_NEAR(thesis_overpressure(3.0 * foot_per_pound) / psi, 160.0, 8.0);
-  EXPECT_NEAR(thesis_overpressure(20.0 * foot_per_pound) / psi, 2.0, 0.3);
+  EXPECT_NEAR(three_term_overpressure(3.0 * foot_per_pound) / psi, 160.0, 8.0);
+  EXPECT_NEAR(three_term_overpressure(20.0 * foot_per_pound) / psi, 2.0, 0.3);
 }
 
 /// Least and greatest departure of a relation from another over a range.

@@ -18,7 +18,8 @@ TEST(Underwater, ValuesOfTheFormulas) {
   EXPECT_NEAR(kirkwood_brinkley_pressure(z) / psi, 751.13, 0.01);
   EXPECT_NEAR(cole_pressure(1.0), 52.4e6, 1e-6);
   // 1 lb at 10 ft: 0.211 lbf s/in^2.
-  EXPECT_NEAR(cube_root_of_pound * thesis_water_impulse(10.0 * foot_per_pound), 0.211 * psi, 1e-9);
+  EXPECT_NEAR(cube_root_of_pound * inverse_distance_water_impulse(10.0 * foot_per_pound),
+              0.211 * psi, 1e-9);
 }
 
 // Values for a table of charges and distances: W, R, p, theta, I, E of Swisdak, p and theta of
@@ -73,8 +74,8 @@ TEST(Underwater, RelationsAgree) {
     EXPECT_NEAR(penney_pressure(at), cole, 0.20 * cole) << z;
   }
   // Powers of -1 and -0.89 of the distance: 31 % above at Z = 1 m/kg^(1/3), 1 % at 10.
-  EXPECT_NEAR(thesis_water_impulse(1.0) / swisdak_water_impulse(1.0), 1.306, 0.001);
-  EXPECT_NEAR(thesis_water_impulse(10.0) / swisdak_water_impulse(10.0), 1.014, 0.001);
+  EXPECT_NEAR(inverse_distance_water_impulse(1.0) / swisdak_water_impulse(1.0), 1.306, 0.001);
+  EXPECT_NEAR(inverse_distance_water_impulse(10.0) / swisdak_water_impulse(10.0), 1.014, 0.001);
 }
 
 // p e^(-t/theta) carries p theta, of which the impulse, taken over 6.7 theta, is more (the tail is

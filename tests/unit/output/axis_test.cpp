@@ -81,6 +81,21 @@ TEST(Panel, PlacesValuesOnALogarithmicPage) {
   EXPECT_NEAR(panel.page_y(1.0), 80.0, 1e-12);
 }
 
+TEST(Labels, BreakWhereTheyAreTooLong) {
+  EXPECT_EQ(label_lines("Pressure (kPa)", 128.0), (Labels{"Pressure (kPa)"}));
+  EXPECT_EQ(label_lines("Transient horizontal displacement (mm)", 128.0),
+            (Labels{"Transient horizontal", "displacement (mm)"}));
+  EXPECT_EQ(label_lines("Pressure", 1.0), (Labels{"Pressure"})) << "no blank to break at";
+}
+
+// A label in two lines has room for them.
+TEST(Panel, GivesRoomToLongLabels) {
+  auto const room = [](char const* label) {
+    return Panel({0.0, 0.0, 400.0, 128.0}, {}, {0.0, 1.0, label}).y_label_room();
+  };
+  EXPECT_GT(room("Transient horizontal displacement (mm)"), room("Pressure (kPa)") + 10.0);
+}
+
 class LogPlot : public ScratchFolder {};
 
 // A power law is a straight line: all points of the SVG path lie on the diagonal. A value of zero

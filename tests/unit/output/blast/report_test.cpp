@@ -111,7 +111,8 @@ TEST_F(BlastSeries, TableSaysWhatNumbersAreWorth) {
   auto const kingery = column("peak overpressure kingery_bulmash status");
   EXPECT_EQ(kingery, (std::vector<double>{2.0, 0.0, 0.0}));
   EXPECT_EQ(column("peak overpressure tnt_block_1_lb status"), std::vector<double>(3, 3.0));
-  EXPECT_EQ(column("peak overpressure thesis_fit status"), (std::vector<double>{2.0, 0.0, 2.0}));
+  EXPECT_EQ(column("peak overpressure three_term_fit status"),
+            (std::vector<double>{2.0, 0.0, 2.0}));
   EXPECT_NEAR(column("peak overpressure kingery_bulmash")[1], 140.3, 0.05);
   EXPECT_EQ(table.columns[1].unit, "kPa");
   EXPECT_EQ(table.columns.size(), 1 + 2 * series.answers[0].estimates.size());
