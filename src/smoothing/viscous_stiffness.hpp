@@ -32,9 +32,9 @@ double viscous_stiffness(AnyKernel<D> const& kernel) {
 
 /// The factor of alpha c + beta |mu| in the signal speed: the usual 0.6 of Monaghan, Annu. Rev.
 /// Astron. Astrophys. 30 (1992) 543, section 4, where K is up to 2.25, that of the cubic spline in
-/// 1D; more in proportion where it is larger. A charge in water in 1D (`moraine verify
-/// tnt-kernels`) is stable up to a Courant number of 0.4 with the cubic spline, and with 0.6 for
-/// all kernels it would gain energy at 0.3 with K of 3.3 and more.
+/// 1D, and larger with the square of K beyond. With that a charge in water in 1D at alpha = 1 and
+/// beta = 10 (`moraine verify tnt-kernels`) is stable up to Courant numbers of 0.35 to 0.5 with all
+/// kernels; with 0.6 throughout, kernels with K of 3.3 and more would gain energy at 0.3.
 template <int D>
 double viscous_signal(AnyKernel<D> const& kernel) {
   double const stiffness = viscous_stiffness(kernel);
