@@ -65,7 +65,9 @@ Json to_json(Answer const& answer, OutputUnits const& units) {
 Json to_json(GaugeReadings const& gauge, Answer const& answer, OutputUnits const& units) {
   Json json{{"name", gauge.gauge}, {"readings", Json::array()}};
   for (auto const& [measure, value] : gauge.readings) {
-    auto const same = [&](Estimate const& e) { return e.relation->measure == measure; };
+    auto const same = [wanted = measure](Estimate const& e) {
+      return e.relation->measure == wanted;
+    };
     if (std::ranges::none_of(answer.estimates, same)) continue;
     Json reading{{"measure", info(measure).name},
                  {"value", number(units.shown(measure, value))},
