@@ -133,7 +133,7 @@ void Simulation::evaluate_matter() {
       pass(respond, by_material_[m].size(), [&](std::size_t k) { return by_material_[m][k]; });
   };
   for (std::size_t m = 0; m < model_.materials.size(); ++m) {
-    auto const& [name, eos, burn] = model_.materials[m];
+    auto const& burn = model_.materials[m].burn;
     std::visit(
         [&](auto const& law) {
           if constexpr (is_products<std::decay_t<decltype(law)>>)
@@ -141,7 +141,7 @@ void Simulation::evaluate_matter() {
           pass_material(m,
                         [&law](std::size_t, double rho, double e) { return law.respond(rho, e); });
         },
-        eos);
+        model_.materials[m].eos);
   }
   std::size_t const count = store.range(Kind::fluid).size();
   auto const silent = [&](std::size_t i) { return !(sound_speed[i] >= 0.0); };
