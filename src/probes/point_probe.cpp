@@ -37,8 +37,10 @@ void include(Sums& sums, ParticleStore const& store, std::size_t i, KernelName k
   if (distance2 >= kernel_support * kernel_support * h * h) return;
   // What is common to all weights drops out: where all have one h, so does h^d.
   double const spread = varies ? std::pow(all / h, store.dimension()) : 1.0;
-  double const w = spread * kernel_shape(kernel, store.dimension(), std::sqrt(distance2) / h) *
-                   store.scalar(Field::mass)[i] / store.scalar(Field::density)[i];
+  // Weights of a mean must not be negative, as some kernels are far outside.
+  double const shape = kernel_shape(kernel, store.dimension(), std::sqrt(distance2) / h);
+  double const w = spread * std::max(shape, 0.0) * store.scalar(Field::mass)[i] /
+                   store.scalar(Field::density)[i];
   sums.weight += w;
   sums.state.pressure += w * store.scalar(Field::pressure)[i];
   sums.state.density += w * store.scalar(Field::density)[i];

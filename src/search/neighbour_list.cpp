@@ -72,23 +72,24 @@ std::size_t NeighbourList::bytes() const {
 
 template <int D>
 NeighbourFinder<D>::NeighbourFinder(CellPoints const& points, double radius, PairRadius of_pair,
-                                    float skin)
+                                    float skin, float least)
     : points_(points),
       radius_(radius),
       // Squares are compared in single precision; the margin covers its rounding.
       radius2_(static_cast<float>(radius * radius * (1.0 + 1e-6))),
       of_pair_(of_pair),
-      skin_(skin) {}
+      skin_(skin),
+      least_(least) {}
 
 /// Squares of the radii of pairs with the next candidates.
 template <int D>
 template <class Float>
 Float NeighbourFinder<D>::radius_squared(float support, float const* supports) const {
   if (of_pair_ == PairRadius::same) return Float(radius2_);
-  Float radius(support + skin_);
+  Float radius(std::max(support, least_) + skin_);
   if (of_pair_ != PairRadius::of_self) {
     Float const other = Float::load(supports);
-    if (of_pair_ == PairRadius::of_other) radius = other + Float(skin_);
+    if (of_pair_ == PairRadius::of_other) radius = maximum(other, Float(least_)) + Float(skin_);
     if (of_pair_ == PairRadius::mean)
       radius = Float(0.5F) * (Float(support) + other) + Float(skin_);
     if (of_pair_ == PairRadius::larger) radius = maximum(Float(support), other) + Float(skin_);
@@ -173,7 +174,9 @@ void NeighbourFinder<D>::operator()(UnitPoint const& x, std::uint32_t self, Cand
       Float const difference = convert<float>(Int(x[axis]) - Int::load(cache.x[axis].data() + k));
       distance2 += difference * difference;
     }
-    unsigned mask = bits_less(distance2, radius_squared<Float>(support, cache.support.data() + k));
+    unsigned mask =
+        bits_less(distance2,
+                  radius_squared<Float>(support, cache.support.data() + (asks_supports() ? k : 0)));
     if (cache.count - k < width) mask &= (1u << (cache.count - k)) - 1u;
     mask &= ~bits_equal<width>(cache.index.data() + k, self);
     found +=

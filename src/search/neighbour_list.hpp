@@ -111,7 +111,8 @@ class NeighbourList {
   std::size_t lanes_ = 8;
 };
 
-/// How near a pair must be: within one radius, or within that of the supports of the two.
+/// How near a pair must be: within one radius, or within that of the supports of the two. Alone,
+/// a support counts as no less than `least`.
 enum class PairRadius : std::uint8_t { same, of_self, of_other, mean, larger };
 
 /// Finds the neighbours of points among points sorted by cell.
@@ -123,7 +124,8 @@ class NeighbourFinder {
  public:
   /// `radius` [units]: no pair may be farther apart. `skin` [units] is added to the supports.
   explicit NeighbourFinder(CellPoints const& points, double radius,
-                           PairRadius of_pair = PairRadius::same, float skin = 0.0F);
+                           PairRadius of_pair = PairRadius::same, float skin = 0.0F,
+                           float least = 0.0F);
 
   /// Appends the indices of all points within the radius of x, except `self`, whose support is
   /// `support` [units]. Quick when x lies in the same cell as in the call before with this cache.
@@ -143,6 +145,7 @@ class NeighbourFinder {
   float radius2_;
   PairRadius of_pair_;
   float skin_;
+  float least_;
 };
 
 template <class Collect>

@@ -230,8 +230,8 @@ void Search::mix_images(ParticleStore const& store, Kind kind) {
 }
 
 double Search::reach() const {
-  double const support =
-      varies() ? largest_support_ : settings_.support / settings_.fixed_point.scale;
+  double const of_case = settings_.support / settings_.fixed_point.scale;
+  double const support = varies() ? std::max(largest_support_, of_case) : of_case;
   return support + std::max(skins_.fluid, skins_.wall) / settings_.fixed_point.scale;
 }
 
@@ -292,9 +292,10 @@ void Search::collect_neighbours() {
   Points const& fluid = points(Kind::fluid);
   Points const& wall = points(Kind::wall);
   double const scale = settings_.fixed_point.scale;
-  double const support = varies() ? largest_support_ : settings_.support / scale;
+  double const case_support = settings_.support / scale;
+  double const support = varies() ? largest_support_ : case_support;
   double const fluid_radius = support + skins_.fluid / scale;
-  double const wall_radius = support + skins_.wall / scale;
+  double const wall_radius = std::max(support, case_support) + skins_.wall / scale;
   PairRadius const of_fluid =
       !varies() ? PairRadius::same
                 : (settings_.larger_of_two ? PairRadius::larger : PairRadius::mean);
@@ -303,6 +304,7 @@ void Search::collect_neighbours() {
   // What the radii of single pairs lack beside those of the finder.
   auto const own = [&](std::size_t i) { return varies() ? fluid.support[i] : 0.0F; };
   auto const skin = [&](double metres) { return static_cast<float>(metres / scale); };
+  float const least = skin(settings_.support);  // of fluid against walls
   constexpr std::uint32_t nobody = 0xFFFFFFFFu;
   constexpr std::size_t lanes = NeighbourList::lanes(D);
   bool const unsorted = settings_.sides.any();  // images stand among the owned points
@@ -319,7 +321,8 @@ void Search::collect_neighbours() {
       fluids, lanes, unsorted, [&](std::size_t i, CandidateCache& cache, IndexBuffer& buffer) {
         near_fluid(at(fluid, i), static_cast<std::uint32_t>(i), cache, buffer, own(i));
       });
-  NeighbourFinder<D> const near_wall(wall.in_cells(), wall_radius, of_self, skin(skins_.wall));
+  NeighbourFinder<D> const near_wall(wall.in_cells(), wall_radius, of_self, skin(skins_.wall),
+                                     least);
   fluid_wall_.build(fluids, lanes, unsorted,
                     [&](std::size_t i, CandidateCache& cache, IndexBuffer& buffer) {
                       UnitPoint const x = at(fluid, i);
@@ -327,7 +330,7 @@ void Search::collect_neighbours() {
                         near_wall(x, nobody, cache, buffer, own(i));
                     });
   NeighbourFinder<D> const wall_near_fluid(fluid.in_cells(), wall_radius, of_other,
-                                           skin(skins_.wall));
+                                           skin(skins_.wall), least);
   wall_fluid_.build(walls, lanes, unsorted,
                     [&](std::size_t i, CandidateCache& cache, IndexBuffer& buffer) {
                       UnitPoint const x = at(wall, i);

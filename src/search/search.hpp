@@ -18,7 +18,7 @@ namespace moraine {
 
 /// What the search must find: all pairs closer than `support` [m]. Where supports vary, particle i
 /// has its own, `supports` times its smoothing length, and a pair that of its mean, or the larger
-/// one. A pair with a wall has that of the fluid particle.
+/// one. A pair with a wall has that of the fluid particle, but no less than `support`.
 struct SearchSettings {
   int dimension = 3;
   double support = 0.0;   // m; where supports vary, about

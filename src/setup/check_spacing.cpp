@@ -86,7 +86,11 @@ class SpacingCheck {
   }
 
   void check_smoothing(std::size_t i, double spacing) {
-    double const h = case_.numerics.smoothing_length();
+    Numerics const& numerics = case_.numerics;
+    double const own =
+        std::clamp(numerics.smoothing_factor * spacing, numerics.least_smoothing_length(),
+                   numerics.largest_smoothing_length());
+    double const h = numerics.smoothing.varies() ? own : numerics.smoothing_length();
     double const factor = h / spacing;
     if (factor >= least_factor * (1.0 - 1e-9) && factor <= largest_factor * (1.0 + 1e-9)) return;
     bool const coarse = factor < least_factor;

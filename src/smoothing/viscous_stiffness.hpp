@@ -31,14 +31,14 @@ double viscous_stiffness(AnyKernel<D> const& kernel) {
 }
 
 /// The factor of alpha c + beta |mu| in the signal speed: the usual 0.6 of Monaghan, Annu. Rev.
-/// Astron. Astrophys. 30 (1992) 543, section 4, where K is up to 2.25, that of the cubic spline in
-/// 1D, and larger with the square of K beyond. With that a charge in water in 1D at alpha = 1 and
-/// beta = 10 (`moraine verify tnt-kernels`) is stable up to Courant numbers of 0.35 to 0.5 with all
-/// kernels; with 0.6 throughout, kernels with K of 3.3 and more would gain energy at 0.3.
+/// Astron. Astrophys. 30 (1992) 543, section 4, where K is up to 2.3, about that of the cubic
+/// spline in 1D, and larger with the square of K beyond. With that a charge in water in 1D at alpha
+/// = 1 and beta = 10 (`moraine verify tnt-kernels`) is stable up to Courant numbers of 0.35 to 0.5
+/// with all kernels; with 0.6 throughout, kernels with K of 3.3 and more would gain energy at 0.3.
 template <int D>
 double viscous_signal(AnyKernel<D> const& kernel) {
   double const stiffness = viscous_stiffness(kernel);
-  return stiffness > 2.25 ? 0.6 * (stiffness / 2.25) * (stiffness / 2.25) : 0.6;
+  return stiffness > 2.3 ? 0.6 * (stiffness / 2.3) * (stiffness / 2.3) : 0.6;
 }
 
 inline double viscous_signal(KernelName kernel, int dimension) {

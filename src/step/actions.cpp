@@ -185,6 +185,7 @@ void Simulation::kick_and_check() {
   };
   SmoothingLengths const h(model_);
   double const of_case = model_.numerics.smoothing_length();
+  bool const varies = model_.numerics.smoothing.varies();
   auto const kick = [&](std::size_t begin, std::size_t end) {
     Outcome outcome;
     for (std::size_t i = begin; i < end; ++i) {
@@ -201,7 +202,7 @@ void Simulation::kick_and_check() {
         velocity2 += v * v;
       }
       // As if all had the smoothing length of the case: what counts is sqrt(h / a) and h / v.
-      double const shrunk = of_case / h(i);
+      double const shrunk = varies ? of_case / h(i) : 1.0;
       outcome.acceleration2.include(acceleration2 * shrunk * shrunk, i);
       outcome.motion2.include(velocity2 * shrunk * shrunk, i);
       outcome.speed2.include(velocity2, i);

@@ -67,7 +67,7 @@ Vote Simulation::vote_of_burn() const {
   if (!store.has(Field::burn_fraction)) return vote;
   auto const fraction = store.scalar(Field::burn_fraction);
   auto const lighting_time = store.scalar(Field::lighting_time);
-  double const h = model_.numerics.smoothing_length();
+  double const h = model_.numerics.least_smoothing_length();
   auto const sooner = [&](std::size_t a, std::size_t b) {
     if (a == none || b == none) return std::min(a, b);
     return lighting_time[b] < lighting_time[a] ? b : a;

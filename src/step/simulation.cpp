@@ -113,6 +113,9 @@ void Simulation::exchange(Archive& archive) {
       if (material.burn && !model_.particles.has(field))
         throw std::runtime_error(
             fmt::format("{} burns, but the particles have no {}", material.name, info(field).name));
+  if (archive.restoring() &&
+      model_.particles.has(Field::smoothing_length) != model_.numerics.smoothing.varies())
+    throw std::runtime_error("smoothing lengths and case do not belong together");
   search_.exchange(archive, model_.particles);
 }
 

@@ -76,10 +76,10 @@ void Simulation::find_present_walls() {
 
 /// Beyond its box the search knows no places.
 void Simulation::check_places_of_walls() const {
-  SearchSettings const& settings = search_.settings();
   ParticleStore const& store = model_.particles;
   Range const range = store.range(Kind::wall);
-  double const margin = 2.0 * settings.support;  // as search_settings
+  double const margin =
+      2.0 * kernel_support * model_.numerics.largest_smoothing_length();  // as search_settings
   for (int axis = 0; axis < model_.dimension; ++axis) {
     auto const a = static_cast<std::size_t>(axis);
     auto const x = store.component(Field::position, axis);

@@ -255,7 +255,10 @@ class PairBackendImpl final : public PairBackend {
       double const signal = sound_speed[i] + parameters_.viscous_signal *
                                                  (parameters_.viscosity_alpha * sound_speed[i] +
                                                   parameters_.viscosity_beta * mu);
-      outcome.include(signal * parameters_.smoothing_length / own_smoothing(i), i);
+      if constexpr (varies)
+        outcome.include(signal * parameters_.smoothing_length / own_smoothing(i), i);
+      else
+        outcome.include(signal, i);
     };
     for_each_sum(search, begin, end, fluid_terms<Number, D>(parameters_),
                  wall_terms<Number>(parameters_), use);
@@ -314,7 +317,7 @@ class PairBackendImpl final : public PairBackend {
       double distance2 = 0.0;
       for (std::size_t axis = 0; axis < static_cast<std::size_t>(D); ++axis)
         distance2 += (fluid[axis] - wall[axis]) * (fluid[axis] - wall[axis]);
-      double const reach = kernel_support * own_smoothing(j);
+      double const reach = kernel_support * wall_smoothing(j);
       if (distance2 >= reach * reach) continue;
       load.wet = true;
       Broadcast<double, FluidLayout> const self{fluid.data(), uniform.data()};
@@ -333,9 +336,9 @@ class PairBackendImpl final : public PairBackend {
                            Neighbours const& neighbours) const {
     std::uint64_t near = 0;
     for (std::uint32_t const j : list) {
-      double h = own_smoothing(i);
-      if constexpr (varies && std::is_same_v<Neighbours, Records<Slot, FluidLayout>>)
-        h = pair_smoothing(parameters_.of_pair, h, own_smoothing(j));
+      double h = wall_smoothing(i);
+      if constexpr (std::is_same_v<Neighbours, Records<Slot, FluidLayout>>)
+        h = pair_smoothing(parameters_.of_pair, own_smoothing(i), own_smoothing(j));
       double const reach = kernel_support * h;
       double distance2 = 0.0;
       for (int axis = 0; axis < D; ++axis) {
@@ -354,6 +357,11 @@ class PairBackendImpl final : public PairBackend {
       return fluid_.get(i, PairField::smoothing_length);
     else
       return parameters_.smoothing_length;
+  }
+
+  /// h [m] of a fluid record against a wall.
+  double wall_smoothing(std::size_t i) const {
+    return std::max(own_smoothing(i), parameters_.smoothing_length);
   }
 
   double metres_between(Slot a, Slot b) const {

@@ -27,8 +27,10 @@ void reference_sum(SweepParameters const& parameters, Self const& self,
     }
     double h = parameters.smoothing_length;
     if constexpr (Self::has(PairField::smoothing_length)) {
-      h = smoothing_length(self);
-      if constexpr (!wall) h = pair_smoothing(parameters.of_pair, h, smoothing_length(neighbour));
+      if constexpr (wall)
+        h = std::max(h, smoothing_length(self));
+      else
+        h = pair_smoothing(parameters.of_pair, smoothing_length(self), smoothing_length(neighbour));
     }
     pair.h = h;
     double const q = std::sqrt(pair.distance2) / h;

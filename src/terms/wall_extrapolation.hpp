@@ -53,17 +53,22 @@ WallState extrapolate(SweepParameters const& parameters, SlotOf<Real> const* sel
   for (int axis = 0; axis < D; ++axis)
     gravity[axis] = number<Number>(seen_gravity[static_cast<std::size_t>(axis)]);
   Number const inverse_h = number<Number>(1.0 / parameters.smoothing_length);
+  // Weights of a mean must not be negative, as some kernels are far outside.
+  auto const positive = [](Number const& w) __attribute__((always_inline)) {
+    return maximum(w, number<Number>(0));
+  };
   auto const add = [&](auto const& neighbour, Number const(&x)[D]) {
     Number distance2 = number<Number>(0);
     for (int axis = 0; axis < D; ++axis) distance2 += x[axis] * x[axis];
     using Neighbour = std::decay_t<decltype(neighbour)>;
     if constexpr (Neighbour::has(PairField::smoothing_length)) {
-      Number const own = number<Number>(1) / smoothing_length(neighbour);
+      Number const own = number<Number>(1) / maximum(smoothing_length(neighbour),
+                                                     number<Number>(parameters.smoothing_length));
       Number const volume = D == 1 ? own : (D == 2 ? own * own : own * own * own);
-      add_to_wall<Number, D>(volume * kernel.shape(square_root(distance2) * own), x, gravity,
-                             neighbour, sums);
+      add_to_wall<Number, D>(volume * positive(kernel.shape(square_root(distance2) * own)), x,
+                             gravity, neighbour, sums);
     } else {
-      add_to_wall<Number, D>(kernel.shape(square_root(distance2) * inverse_h), x, gravity,
+      add_to_wall<Number, D>(positive(kernel.shape(square_root(distance2) * inverse_h)), x, gravity,
                              neighbour, sums);
     }
   };

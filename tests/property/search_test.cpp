@@ -46,8 +46,9 @@ double support_of(Model const& model, SearchSettings const& settings, std::size_
   Smoothing const& smoothing = model.numerics.smoothing;
   if (!smoothing.varies()) return settings.support;
   auto const h = model.particles.scalar(Field::smoothing_length);
-  if (i >= h.size()) return kernel_support * h[j];  // a wall particle has none
-  if (j >= h.size()) return kernel_support * h[i];
+  // A wall particle has none; against it, a particle has at least that of the case.
+  if (i >= h.size() || j >= h.size())
+    return std::max(settings.support, kernel_support * h[std::min(i, j)]);
   return kernel_support * pair_smoothing(smoothing.of_pair, h[i], h[j]);
 }
 

@@ -127,7 +127,7 @@ TEST(RiemannProblem, ConservesAcrossJumps) {
   int shocks = 0;
   for (auto const& [name, left, right] : material_pairs()) {
     RiemannProblem const solution(left, right);
-    auto const across = [&](Wave const& wave, RiemannSide const& side) {
+    auto const across = [&, &name = name](Wave const& wave, RiemannSide const& side) {
       if (wave.kind != WaveKind::shock) return;
       FlowState const ahead{side.density, side.velocity,
                             side.law.pressure(side.density, side.specific_energy),
@@ -162,7 +162,7 @@ TEST(RiemannProblem, ConservesInTheLarge) {
              integral(f, {solution.star_velocity(), b.tail, b.head, high});
     };
     FlowState const first = solution.sample(low), last = solution.sample(high);
-    auto const expect = [&](double found, double in, double out) {
+    auto const expect = [&, &name = name](double found, double in, double out) {
       EXPECT_NEAR(found, in - out, 1e-10 * (std::fabs(in) + std::fabs(out))) << name;
     };
     Flux const in = flux(first, low), out = flux(last, high);

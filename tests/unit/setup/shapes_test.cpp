@@ -39,7 +39,8 @@ StlBody body_of(std::vector<Triangle> const& triangles) {
   StlBody stl;
   TriangleMesh mesh = weld(triangles);
   MeshReport report = report_on(mesh);
-  stl.body = std::make_shared<MeshBody const>(std::move(report), WindingNumber(std::move(mesh)));
+  stl.body =
+      std::make_shared<MeshBody const>(MeshBody{std::move(report), WindingNumber(std::move(mesh))});
   return stl;
 }
 
