@@ -59,7 +59,7 @@ void add_spacing_entries(std::vector<Entry<RegionSpec>>& table) {
        .preset_note = "resolution.spacing, on the lattice of the case",
        .limits = Limits::positive(),
        .meaning = "distance of neighbouring particles on a lattice of this region's own; the "
-                  "smoothing length is that of the case"}));
+                  "smoothing length is that of the case unless it varies"}));
   table.push_back(member<RegionSpec, &RegionSpec::equal_mass_with>(
       {.section = Section::region,
        .key = "equal_mass_with",
