@@ -64,31 +64,6 @@ void Search::read_units(ParticleStore const& store, Kind kind) {
   }
 }
 
-void Search::read_supports(ParticleStore const& store) {
-  if (!varies()) return;
-  auto const h = store.scalar(Field::smoothing_length);
-  auto& support = points(Kind::fluid).support;
-  support.resize(h.size() + CellPoints::padding);
-  double const factor = settings_.supports / settings_.fixed_point.scale;
-  for_each_block(h.size(), loop_block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) support[i] = static_cast<float>(factor * h[i]);
-  });
-}
-
-/// By how much a support has grown most since the lists were made [units].
-double Search::growth_of_supports() const {
-  if (!varies()) return 0.0;
-  auto const& support = points(Kind::fluid).support;
-  auto const in_block = [&](std::size_t begin, std::size_t end) {
-    float most = 0.0F;
-    for (std::size_t i = begin; i < end; ++i)
-      most = std::max(most, support[i] - listed_support_[i]);
-    return most;
-  };
-  return reduce_blocks(listed_support_.size(), 0.0F, in_block,
-                       [](float a, float b) { return std::max(a, b); });
-}
-
 bool Search::lists_hold(ParticleStore const& store) {
   if (!walls_sorted_ || store.range(Kind::fluid).size() != fluid_fluid_.size()) return false;
   read_units(store, Kind::fluid);
@@ -193,13 +168,6 @@ void Search::sort(ParticleStore& store, Kind kind, double reach) {
   if (kind == Kind::fluid) list_supports(store);
 }
 
-void Search::list_supports(ParticleStore const& store) {
-  if (!varies()) return;
-  read_supports(store);
-  auto const& support = points(Kind::fluid).support;
-  listed_support_.assign(support.begin(), support.end() - CellPoints::padding);
-}
-
 /// Makes the images of a kind and sorts them in among its owned points.
 void Search::mix_images(ParticleStore const& store, Kind kind) {
   Points& p = points(kind);
@@ -251,14 +219,6 @@ void Search::rebuild(ParticleStore& store) {
   make_lists(store);
   steps_since_rebuild_ = 0;
   ++rebuilds_;
-}
-
-void Search::find_largest_support(ParticleStore const& store) {
-  if (!varies()) return;
-  double largest = 0.0;
-  for (double const h : store.scalar(Field::smoothing_length)) largest = std::max(largest, h);
-  // A hair more than its rounding to single precision.
-  largest_support_ = largest * settings_.supports / settings_.fixed_point.scale * (1.0 + 1e-6);
 }
 
 /// Walls at rest are sorted once; what that took is given back.
