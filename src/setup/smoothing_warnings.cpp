@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -18,8 +20,27 @@ namespace {
 
 constexpr std::array<double, 3> fewest{4.0, 12.0, 33.0};
 constexpr std::array<double, 3> usual{5.0, 21.0, 57.0};
-constexpr double most = 4.0;               // times the usual number
-constexpr double inflection_factor = 1.5;  // spacings: h of the cubic spline where pairs form
+constexpr double most = 4.0;  // times the usual number
+
+/// h in spacings at which the nearest neighbours of a lattice stand where the slope of the kernel
+/// is steepest, 1/q there; with more they may form pairs. Infinite: they do not, or do anyway.
+double inflection_factor(KernelName kernel) {
+  switch (kernel) {
+    case KernelName::cubic_spline:
+    case KernelName::lucy:
+      return 1.5;
+    case KernelName::liu_quartic:
+      return 1.58;
+    case KernelName::quartic_spline:
+      return 1.81;
+    case KernelName::quintic_spline:
+      return 1.98;
+    case KernelName::gaussian:
+      return 2.12;
+    default:
+      return std::numeric_limits<double>::infinity();
+  }
+}
 
 class SmoothingWarnings {
  public:
@@ -45,9 +66,22 @@ class SmoothingWarnings {
       warn("resolution.smoothing_factor", fmt::format("gives {}", neighbour_words(neighbours)));
       if (warnings_.back().value.empty()) warnings_.back().value = fmt::format("{}", factor);
     }
-    if (case_.numerics.kernel == KernelName::cubic_spline && factor > inflection_factor)
-      warn("resolution.smoothing_factor", std::string("puts ") + pairing,
-           "at most 1.5, or the kernel wendland_c2");
+    double const steepest = inflection_factor(case_.numerics.kernel);
+    if (factor > steepest)
+      warn("resolution.smoothing_factor", "puts " + pairing(),
+           fmt::format("at most {:.3g}, or the kernel wendland_c2", steepest));
+    look_at_kernel();
+  }
+
+  void look_at_kernel() {
+    KernelName const kernel = case_.numerics.kernel;
+    if (kernel == KernelName::super_gaussian || kernel == KernelName::liu_quartic)
+      warn("resolution.kernel", "rises again far outside, where pressure pulls and viscosity cools",
+           "for comparison only; take wendland_c2");
+    if (kernel == KernelName::dome)
+      warn("resolution.kernel",
+           "lets the force jump where a neighbour comes or goes: the energy suffers",
+           "for comparison only, with time.courant = 0.15");
   }
 
   std::string neighbour_words(double neighbours) const {
@@ -58,7 +92,7 @@ class SmoothingWarnings {
   void look_at(RegionSpec const& region, Lattice const& lattice) {
     std::string const key =
         "region." + region.name + (region.spacing ? std::string(".spacing") : ".equal_mass_with");
-    double const factor = case_.numerics.smoothing_length() / lattice.spacing;
+    double const factor = smoothing_at(lattice.spacing) / lattice.spacing;
     double const neighbours = neighbours_within(kernel_support * factor, case_.dimension);
     if (neighbours < fewest[axes_ - 1] || neighbours > most * usual[axes_ - 1])
       warn(key,
@@ -66,8 +100,8 @@ class SmoothingWarnings {
                        lattice.spacing, neighbour_words(neighbours), factor),
            neighbours < fewest[axes_ - 1] ? "raise resolution.smoothing_factor"
                                           : "each particle costs as much more");
-    if (case_.numerics.kernel == KernelName::cubic_spline && factor > inflection_factor)
-      warn(key, fmt::format("makes h {:.3g} of these spacings and puts {}", factor, pairing),
+    if (factor > inflection_factor(case_.numerics.kernel))
+      warn(key, fmt::format("makes h {:.3g} of these spacings and puts {}", factor, pairing()),
            "use the kernel wendland_c2");
     if (std::holds_alternative<Box>(region.shape) && region.plus.empty())
       look_at_box(region, lattice, key);
@@ -88,9 +122,19 @@ class SmoothingWarnings {
     }
   }
 
-  static constexpr char const* pairing =
-      "neighbours at rest inside the inflection point of the cubic spline, where they may form "
-      "pairs";
+  std::string pairing() const {
+    return fmt::format(
+        "neighbours at rest inside the inflection point of the {}, where they may form pairs",
+        info(case_.numerics.kernel).words);
+  }
+
+  /// h that a region of this spacing starts with [m].
+  double smoothing_at(double spacing) const {
+    Numerics const& numerics = case_.numerics;
+    if (!numerics.smoothing.varies()) return numerics.smoothing_length();
+    return std::clamp(numerics.smoothing_factor * spacing, numerics.least_smoothing_length(),
+                      numerics.largest_smoothing_length());
+  }
 
   Case const& case_;
   std::vector<InputProblem>& warnings_;

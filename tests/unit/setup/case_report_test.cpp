@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "setup/case_size.hpp"
 #include "setup/case_warnings.hpp"
 #include "setup/read_case.hpp"
+#include "smoothing/any_kernel.hpp"
 
 namespace moraine {
 namespace {
@@ -133,6 +135,35 @@ TEST(CaseWarnings, SmoothingFactorAgainstTheKernel) {
   EXPECT_EQ(
       warnings_of("smoothing_factor = 1.5", "smoothing_factor = 1.5\nkernel = \"cubic_spline\""),
       "");
+}
+
+TEST(CaseWarnings, KernelsThatPairOrPull) {
+  auto const with = [](std::string const& factor, std::string const& kernel) {
+    return warnings_of("smoothing_factor = 1.5",
+                       "smoothing_factor = " + factor + "\nkernel = \"" + kernel + "\"");
+  };
+  EXPECT_EQ(with("1.8", "quartic_spline"), "");
+  EXPECT_EQ(with("1.85", "quartic_spline"),
+            "case.toml:8:20: resolution.smoothing_factor: 1.85 puts neighbours at rest inside the "
+            "inflection point of the quartic spline, where they may form pairs; at most 1.81, or "
+            "the kernel wendland_c2\n");
+  EXPECT_EQ(with("1.5", "super_gaussian"),
+            "case.toml:9:10: resolution.kernel: \"super_gaussian\" rises again far outside, where "
+            "pressure pulls and viscosity cools; for comparison only; take wendland_c2\n");
+  EXPECT_EQ(with("1.5", "dome"),
+            "case.toml:9:10: resolution.kernel: \"dome\" lets the force jump where a neighbour "
+            "comes or goes: the energy suffers; for comparison only, with time.courant = 0.15\n");
+  // The slope is steepest where the warnings say: nearest neighbours at 1/q spacings.
+  for (auto const& [kernel, factor] :
+       {std::pair{KernelName::lucy, 1.5}, std::pair{KernelName::liu_quartic, 1.586},
+        std::pair{KernelName::quartic_spline, 1.809}, std::pair{KernelName::quintic_spline, 1.976},
+        std::pair{KernelName::gaussian, 2.1213}}) {
+    AnyKernel<2> const formula(kernel);
+    auto const slope = [&](double q) { return q * formula.slope_over_q(q); };
+    double const q = 1.0 / factor;
+    EXPECT_LT(slope(q), slope(0.97 * q)) << kernel_name(kernel);
+    EXPECT_LT(slope(q), slope(1.03 * q)) << kernel_name(kernel);
+  }
 }
 
 TEST(CaseWarnings, OutputAgainstTheEnd) {
