@@ -116,5 +116,39 @@ TEST(VariableSmoothing, ConservesEnergyToSecondOrder) {
   }
 }
 
+// The wall's lattice is five times as coarse as the water's: its support must not be that of the
+// water, which would find holes in it.
+TEST(VariableSmoothing, FineWaterStaysInACoarseTank) {
+  Simulation simulation(build_model(parse_case(R"(
+space.dimension = 2
+space.domain = { min = [-1, -1], max = [1, 1] }
+resolution = { spacing = 0.05, smoothing_factor = 1.2, smoothing = { mode = "density", least = 0.1 } }
+numerics = { viscosity_alpha = 0.1, viscosity_beta = 0 }
+physics.gravity = [0, -9.81]
+time.end = 0.3
+[material.water]
+eos = "tait"
+reference_sound_speed = 40
+[[region]]
+name = "column"
+material = "water"
+spacing = 0.01
+box = { min = [-0.5, -0.5], max = [-0.2, -0.1] }
+[[wall]]
+name = "tank"
+container = { min = [-0.5, -0.5], max = [0.5, 0.5] }
+open = ["y+"]
+)",
+                                               "tank")));
+  while (simulation.running()) simulation.advance();
+  ParticleStore const& store = simulation.particles();
+  for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i) {
+    EXPECT_NEAR(store.scalar(Field::smoothing_length)[i], 0.012, 0.001);
+    EXPECT_GT(store.component(Field::position, 0)[i], -0.5) << i;
+    EXPECT_GT(store.component(Field::position, 1)[i], -0.5) << i;
+  }
+  EXPECT_EQ(simulation.lost().count, 0u);
+}
+
 }  // namespace
 }  // namespace moraine
