@@ -32,9 +32,11 @@ double viscous_stiffness(AnyKernel<D> const& kernel) {
 
 /// The factor of alpha c + beta |mu| in the signal speed: the usual 0.6 of Monaghan, Annu. Rev.
 /// Astron. Astrophys. 30 (1992) 543, section 4, where K is up to 2.3, about that of the cubic
-/// spline in 1D, and larger with the square of K beyond. With that a charge in water in 1D at alpha
-/// = 1 and beta = 10 (`moraine verify tnt-kernels`) is stable up to Courant numbers of 0.35 to 0.5
-/// with all kernels; with 0.6 throughout, kernels with K of 3.3 and more would gain energy at 0.3.
+/// spline in 1D; the rise with the square of K beyond is our own choice. A charge in water in 1D
+/// (`moraine verify tnt-kernels`, alpha = 1, beta = 10, 60 us) was stable up to Courant numbers of
+/// 0.4 with Wendland C2 and the cubic spline, 0.35 with the quintic spline, the Gaussian and
+/// Wendland C6, 0.5 with the super-Gaussian; with 0.6 throughout, those with K above 2.8 gained
+/// energy at 0.3.
 template <int D>
 double viscous_signal(AnyKernel<D> const& kernel) {
   double const stiffness = viscous_stiffness(kernel);

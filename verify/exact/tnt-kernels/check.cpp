@@ -129,8 +129,8 @@ std::vector<CheckResult> check_tnt_kernels(Effort effort) {
         Case c = charge_in_water(dimension, effort);
         c.numerics.smoothing.mode = mode;
         c.numerics.smoothing.of_pair = of_pair;
-        worst.include(energy_error(c),
-                      fmt::format("{}D, mean {}", dimension, static_cast<int>(of_pair)));
+        worst.include(energy_error(c), fmt::format("{}D, {} mean", dimension,
+                                                   mean_names[static_cast<std::size_t>(of_pair)]));
       }
     add(mode == SmoothingMode::rate ? "h by rate" : "h by density", worst, 12);
   }
