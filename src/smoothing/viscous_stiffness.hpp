@@ -35,8 +35,8 @@ double viscous_stiffness(AnyKernel<D> const& kernel) {
 /// spline in 1D; the rise with the square of K beyond is our own choice. A charge in water in 1D
 /// (`moraine verify tnt-kernels`, alpha = 1, beta = 10, 60 us) was stable up to Courant numbers of
 /// 0.4 with Wendland C2 and the cubic spline, 0.35 with the quintic spline, the Gaussian and
-/// Wendland C6, 0.5 with the super-Gaussian; with 0.6 throughout, those with K above 2.8 gained
-/// energy at 0.3.
+/// Wendland C6, 0.5 with the super-Gaussian; with 0.6 throughout, those with K of 3.3 and
+/// more gained energy at 0.3.
 template <int D>
 double viscous_signal(AnyKernel<D> const& kernel) {
   double const stiffness = viscous_stiffness(kernel);
