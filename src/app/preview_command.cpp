@@ -63,16 +63,16 @@ void add_pressure(Model& model) {
   for (std::size_t i = fluid.begin; i < fluid.end; ++i) {
     double const density = store.scalar(Field::density)[i];
     double const energy = store.scalar(Field::specific_energy)[i];
-    auto const& [name, eos, burn] = model.materials[store.material()[i]];
+    Material const& material = model.materials[store.material()[i]];
     StateResponse const state = std::visit(
-        [&, &burns = burn](auto const& law) {
+        [&](auto const& law) {
           if constexpr (is_products<std::decay_t<decltype(law)>>)
-            if (burns)
-              return burns->law.respond(law, density, energy,
-                                        store.scalar(Field::burn_fraction)[i]);
+            if (material.burn)
+              return material.burn->law.respond(law, density, energy,
+                                                store.scalar(Field::burn_fraction)[i]);
           return law.respond(density, energy);
         },
-        eos);
+        material.eos);
     store.scalar(Field::pressure)[i] = state.pressure;
     store.scalar(Field::sound_speed)[i] = state.sound_speed;
   }

@@ -23,8 +23,9 @@ enum class Quantity : std::uint8_t {
   angle,
   angular_velocity,
   frequency,
+  dynamic_viscosity,
 };
-inline constexpr std::size_t quantity_count = 12;
+inline constexpr std::size_t quantity_count = 13;
 
 /// What messages and the reference page say about a quantity.
 struct QuantityInfo {

@@ -25,8 +25,11 @@ double heating(ParticleStore const& store) {
 }  // namespace
 
 EnergyBudget::Amounts EnergyBudget::rates(Simulation const& simulation) {
-  EnergyRates const rates =
-      simulation.pairs().energy_rates(simulation.particles(), simulation.search());
+  EnergyRates rates = simulation.pairs().energy_rates(simulation.particles(), simulation.search());
+  EnergyRates const& optional = simulation.optional_terms().energy;
+  rates.viscosity += optional.viscosity;
+  rates.wall_viscosity += optional.wall_viscosity;
+  rates.diffusion += optional.diffusion;
   return {rates.viscosity, rates.wall_viscosity,
           heating(simulation.particles()) - rates.viscosity - rates.wall_viscosity,
           rates.diffusion};

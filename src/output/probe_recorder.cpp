@@ -69,8 +69,7 @@ void ProbeRecorder::tell_new_rates(Simulation const& simulation) {
 std::vector<double> ProbeRecorder::read(Simulation const& simulation) {
   // A restored run has no pairs before its first step.
   loads_.clear();
-  if (reads_walls_ && simulation.pairs().bytes() > 0)
-    simulation.pairs().loads_on_walls(simulation.particles(), simulation.search(), loads_);
+  if (reads_walls_ && simulation.pairs().bytes() > 0) simulation.loads_on_walls(loads_);
   ReadingContext const at{simulation, loads_, budget_};
   std::vector<double> row{simulation.time()};
   for (std::size_t k = 0; k < readers_.size(); ++k)

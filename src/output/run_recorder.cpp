@@ -34,7 +34,9 @@ std::vector<TableColumn> sums_columns() {
           {"time_step", "s"},
           {"lost_energy", "J"},
           {"damping_work", "J"},
-          {"detonation_energy", "J"}};
+          {"detonation_energy", "J"},
+          {"penalty_energy", "J"},
+          {"drift_work", "J"}};
 }
 
 template <class Name>
@@ -258,7 +260,9 @@ void RunRecorder::write_sums(Simulation const& simulation) {
                        simulation.time_step(),
                        planes.whole(simulation.lost().energy),
                        planes.whole(simulation.booked().damping),
-                       planes.whole(simulation.booked().detonation)};
+                       planes.whole(simulation.booked().detonation),
+                       planes.whole(s.penalty_energy),
+                       planes.whole(simulation.booked().drift)};
   sums_.add(row);
 }
 

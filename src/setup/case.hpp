@@ -52,6 +52,7 @@ struct MaterialSpec {
   std::string name;
   Eos eos;
   BurnSpec burn{};
+  double dynamic_viscosity = 0.0;  // Pa s
 };
 
 /// Layers of several materials from the top downwards, against gravity. There are as many

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "setup/guard_table.hpp"
+#include "setup/option_table.hpp"
 #include "setup/parameter_table.hpp"
 
 namespace moraine {
@@ -82,6 +83,13 @@ void add_smoothing(std::vector<Entry<Case>>& table) {
        .names = {"arithmetic", "geometric", "largest", "smallest"},
        .meaning = "mean of two smoothing lengths that a pair has, where they vary",
        .source = "Liu and Liu (2003), section 4.4"}));
+  table.push_back(member<Case, numerics, smoothing, &Smoothing::rate_share>(
+      {.key = "resolution.smoothing.rate_share",
+       .preset = 1.0,
+       .limits = Limits::between(0.0, 1.0),
+       .meaning = "share of the rate of density that the smoothing length follows, with mode = "
+                  "\"rate\"",
+       .source = "1 keeps the number of neighbours; Benz (1990)"}));
   table.push_back(member<Case, numerics, smoothing, &Smoothing::least>(
       {.key = "resolution.smoothing.least",
        .preset = 0.5,
@@ -255,6 +263,7 @@ std::vector<Entry<Case>> make_table() {
   add_space(table);
   add_resolution(table);
   add_numerics(table);
+  add_options(table);
   add_start(table);
   add_time(table);
   add_output(table);

@@ -205,6 +205,15 @@ std::vector<Entry<MaterialSpec>> make_table() {
   add_mie_grueneisen<UsUp>(
       table, "Grueneisen coefficient at the reference density; it falls as 1 / density");
   add_linear(table);
+  table.push_back(member<MaterialSpec, &MaterialSpec::dynamic_viscosity>(
+      {.section = Section::material,
+       .key = "dynamic_viscosity",
+       .quantity = Quantity::dynamic_viscosity,
+       .preset = 0.0,
+       .limits = Limits::not_negative(),
+       .meaning = "viscosity of a Newtonian fluid; counts where numerics.physical_viscosity is "
+                  "given",
+       .source = "water at 20 degC has 1 mPa s"}));
   add_burn_entries(table);
   return table;
 }

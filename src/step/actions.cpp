@@ -45,6 +45,7 @@ void Simulation::choose_time_step() {
   vote = stricter(vote, motion_vote_);
   vote = stricter(vote, vote_of_walls());
   vote = stricter(vote, vote_of_burn());
+  vote = stricter(vote, vote_of_options());
   if (stages_.damping() > 0.0)
     vote = stricter(vote, {0.5 / stages_.damping(), damping_limit, Vote::nobody});
   if (spec.fixed_step > 0.0) vote = {spec.fixed_step, fixed_limit, Vote::nobody};
@@ -73,13 +74,16 @@ void Simulation::kick_and_drift() {
         v[i] += 0.5 * dt * a[i];
         x[i] += dt * v[i];
       }
+      if (!store.has(Field::drift)) continue;
+      auto const drift = store.component(Field::drift, axis);
+      for (std::size_t i = begin; i < end; ++i) x[i] += dt * drift[i];
     }
     auto const half_kick = [&](Field field, Field rate_field) {
       auto value = store.scalar(field);
       auto const rate = store.scalar(rate_field);
       for (std::size_t i = begin; i < end; ++i) value[i] += 0.5 * dt * rate[i];
     };
-    half_kick(Field::density, Field::density_rate);
+    if (density_is_state()) half_kick(Field::density, Field::density_rate);
     half_kick(Field::specific_energy, Field::energy_rate);
     for (std::size_t i = begin; i < end; ++i)
       if (far(i)) return i;
@@ -88,6 +92,7 @@ void Simulation::kick_and_drift() {
   std::size_t const bad = reduce_blocks(
       count, none, advance, [](std::size_t a, std::size_t b) { return std::min(a, b); });
   booked_.damping += 0.5 * dt * damping_power_;
+  booked_.drift += dt * power_of_drift(store, model_.gravity);
   if (bad == none) return follow_density();
   fail({Guard::motion, all_bad(count, far), [&](std::size_t i) {
           return fmt::format(
@@ -114,13 +119,14 @@ void Simulation::evaluate_matter() {
   auto pressure = store.scalar(Field::pressure);
   auto sound_speed = store.scalar(Field::sound_speed);
   double const ahead = predict_by();
+  double const density_ahead = density_is_state() ? ahead : 0.0;
   double const now = time_ + vote_.time_step;  // of the predicted state
   auto const pass = [&](auto&& respond, std::size_t count, auto&& index) {
     for_each_block(count, loop_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         std::size_t const i = index(k);
-        StateResponse const state =
-            respond(i, density[i] + ahead * density_rate[i], energy[i] + ahead * energy_rate[i]);
+        StateResponse const state = respond(i, density[i] + density_ahead * density_rate[i],
+                                            energy[i] + ahead * energy_rate[i]);
         pressure[i] = state.pressure;
         sound_speed[i] = state.sound_speed;
       }
@@ -152,7 +158,7 @@ void Simulation::evaluate_matter() {
               "specific energy {} J/kg",
               density[i], energy[i]);
           double const limit = limiting_density(model_.materials[store.material()[i]].eos);
-          if (density[i] + ahead * density_rate[i] >= limit)
+          if (density[i] + density_ahead * density_rate[i] >= limit)
             cause += fmt::format(
                 "; no shock reaches the density {:.6g} kg/m^3 (1 / hugoniot_slope)", limit);
           return cause;
@@ -163,7 +169,9 @@ void Simulation::kick_and_check() {
   ParticleStore& store = model_.particles;
   std::size_t const count = store.range(Kind::fluid).size();
   double const half = predict_by();
+  double const density_half = density_is_state() ? half : 0.0;
   double const damping = stages_.damping();
+  booked_.walls += 0.5 * vote_.time_step * swept_.wall_power;
   struct Outcome {
     Largest acceleration2, motion2, speed2;
     std::size_t bad = none;
@@ -189,7 +197,7 @@ void Simulation::kick_and_check() {
   auto const kick = [&](std::size_t begin, std::size_t end) {
     Outcome outcome;
     for (std::size_t i = begin; i < end; ++i) {
-      density[i] += half * density_rate[i];
+      density[i] += density_half * density_rate[i];
       energy[i] += half * energy_rate[i];
       double acceleration2 = 0.0;
       double velocity2 = 0.0;
@@ -268,6 +276,7 @@ ConservedSums Simulation::sums() const {
   ConservedSums total =
       reduce_blocks(store.range(Kind::fluid).size(), ConservedSums{}, add, combine);
   total.wall_impulse = wall_impulse_;
+  total.penalty_energy = option_outcome_.penalty_energy;
   return total;
 }
 

@@ -16,7 +16,9 @@ struct BookedEnergy {
   double detonation = 0.0;  // what transformations have changed the internal energy by
   double walls = 0.0;       // work of moving walls, integrated as the step integrates energies
 
-  double total() const { return damping + detonation + walls; }
+  double drift = 0.0;  // work of gravity on places that move beside the material
+
+  double total() const { return damping + detonation + walls + drift; }
   void exchange(Archive& archive);
 };
 
@@ -24,6 +26,10 @@ struct BookedEnergy {
 /// that is half a step old; `half` [s] is that half step, 0 for rates made anew. Integrated with
 /// half a step at both of its ends, as everything else, it closes the total to second order.
 double power_of_damping(ParticleStore const& store, double damping, double half);
+
+/// What particles that move beside their material add to the potential energy [W]: - sum m g .
+/// drift.
+double power_of_drift(ParticleStore const& store, std::array<double, 3> const& gravity);
 
 /// Kinetic, internal and potential energy of all particles, with what lost ones took along and
 /// without what was booked [J]: constant to second order in the time step.

@@ -13,6 +13,7 @@
 #include "step/stages.hpp"
 #include "store/particle_store.hpp"
 #include "surface/symmetry.hpp"
+#include "terms/options/option_backend.hpp"
 #include "terms/pair_backend.hpp"
 
 namespace moraine {
@@ -24,6 +25,7 @@ struct Material {
   /// start. The particles of a model with burning materials use burn_fraction, and lighting_time,
   /// which is infinite for those that are to be lit when their time comes.
   std::optional<Burn> burn{};
+  double dynamic_viscosity = 0.0;  // Pa s
 };
 
 struct Model {

@@ -6,12 +6,34 @@
 
 #include "smoothing/kernels.hpp"
 #include "smoothing/pair_smoothing.hpp"
+#include "terms/options/option_parameters.hpp"
 
 namespace moraine {
 
 /// Arithmetic of the pair loops: `mixed` forms pairs in single precision over fixed-point positions
 /// and keeps the state in double; `full` ("double" in case files) does all in double.
 enum class Precision : std::uint8_t { mixed, full };
+
+/// Where the density comes from: a state that the continuity equation advances, or a sum over
+/// neighbours in every step, as it is or divided by the sum of volumes.
+enum class DensityForm : std::uint8_t { continuity, summation, normalised };
+
+/// What density diffusion leaves alone: the gradient of hydrostatic equilibrium, or any smooth one.
+enum class DiffusionForm : std::uint8_t { hydrostatic, gradient };
+
+/// Correction of the kernel gradient.
+enum class GradientCorrection : std::uint8_t { off, bonet_lok };
+
+/// Where the penalty between materials begins: at the spacing, or at the smoothing length.
+enum class PenaltyRange : std::uint8_t { spacing, smoothing_length };
+
+/// Repulsion between materials; docs/theory/sph.md.
+struct PenaltySpec {
+  double strength = 0.0;  // N in 2D, J in 3D; 0: none
+  PenaltyRange range = PenaltyRange::spacing;
+  int repulsion = 12;  // exponents
+  int attraction = 6;
+};
 
 /// Weights of the continuity equation: by the neighbour's mass, or by its volume.
 enum class ContinuityForm : std::uint8_t { mass, volume };
@@ -26,7 +48,8 @@ enum class SmoothingMode : std::uint8_t { constant, rate, density };
 struct Smoothing {
   SmoothingMode mode = SmoothingMode::constant;
   PairSmoothing of_pair = PairSmoothing::arithmetic;
-  double least = 0.5;  // bounds of h, by that of the case
+  double rate_share = 1.0;  // share of the rate that `rate` takes over
+  double least = 0.5;       // bounds of h, by that of the case
   double most = 2.0;
   bool varies() const { return mode != SmoothingMode::constant; }
 };
@@ -39,8 +62,15 @@ struct Numerics {
   double viscosity_alpha = 1.0;  // Monaghan, linear
   double viscosity_beta = 10.0;  // Monaghan, quadratic
   double density_diffusion = 0.0;
+  DiffusionForm diffusion = DiffusionForm::hydrostatic;
+  DensityForm density = DensityForm::continuity;
   ContinuityForm continuity = ContinuityForm::mass;
   MomentumForm momentum = MomentumForm::conservative;
+  ViscosityForm physical_viscosity = ViscosityForm::off;
+  double xsph = 0.0;      // epsilon
+  double shifting = 0.0;  // coefficient
+  GradientCorrection gradient_correction = GradientCorrection::off;
+  PenaltySpec penalty;
   Precision precision = Precision::mixed;
   double smoothing_length() const { return smoothing_factor * spacing; }
   /// The least and the largest that a particle of the case can have [m].

@@ -21,10 +21,14 @@ constexpr std::array action_table{
     Simulation::ActionInfo{"search",
                            "check the neighbour lists; when worn out remove particles that left "
                            "the domain, re-sort and rebuild"},
+    Simulation::ActionInfo{"density", "where it is no state: sum it over neighbours"},
     Simulation::ActionInfo{"matter", "pressure and sound speed from the equations of state"},
     Simulation::ActionInfo{"gather", "copy what pair terms read into records; refresh images"},
     Simulation::ActionInfo{"walls", "continue pressure and density into wall particles"},
     Simulation::ActionInfo{"pairs", "sum all pair terms: rates of velocity, density and energy"},
+    Simulation::ActionInfo{"optional terms",
+                           "physical viscosity, averaging, shifting, corrected gradients, penalty "
+                           "between materials, where the case asks for them"},
     Simulation::ActionInfo{"kick and check",
                            "gravity, second half of the step, guard against what is no number"},
     Simulation::ActionInfo{"guards",
@@ -41,17 +45,22 @@ Simulation::Simulation(Model model, Unstarted)
       search_(search_settings(model_)),
       pairs_(make_pair_backend(model_.dimension, model_.flavour(), scheme_of(model_),
                                sweep_parameters(model_), reference_densities(model_))),
+      options_(make_options_of(model_)),
       stages_(std::move(model_.stages)) {
+  option_parameters_ = option_parameters(model_);
+  if (option_parameters_.moves_places()) model_.particles.use(Field::drift);
   using Run = void (Simulation::*)();
   constexpr std::array<Run, action_table.size()> runs{&Simulation::change_stage,
                                                       &Simulation::choose_time_step,
                                                       &Simulation::kick_and_drift,
                                                       &Simulation::move_walls,
                                                       &Simulation::find_neighbours,
+                                                      &Simulation::sum_densities,
                                                       &Simulation::evaluate_matter,
                                                       &Simulation::gather,
                                                       &Simulation::continue_into_walls,
                                                       &Simulation::sum_pairs,
+                                                      &Simulation::sum_optional_terms,
                                                       &Simulation::kick_and_check,
                                                       &Simulation::watch};
   for (std::size_t k = 0; k < runs.size(); ++k)
@@ -105,6 +114,7 @@ void Simulation::exchange(Archive& archive) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     archive.number(fmt::format("wall_impulse_{}", "xyz"[axis]), wall_impulse_[axis]);
   archive.number("wall_power", swept_.wall_power);
+  if (options_) exchange_options(archive);
   archive.number("smoothing/clipped_at_least", smoothing_clips_.at_least);
   archive.number("smoothing/clipped_at_most", smoothing_clips_.at_most);
   model_.particles.exchange(archive);
@@ -160,13 +170,13 @@ LostParticles Simulation::lost() const {
 }
 
 void Simulation::sum_pairs() {
-  double const power_before = swept_.wall_power;
+  booked_.walls += 0.5 * vote_.time_step * swept_.wall_power;
   swept_ = pairs_->sweep(model_.particles, search_);
-  booked_.walls += 0.5 * vote_.time_step * (power_before + swept_.wall_power);
 }
 
 std::size_t Simulation::bytes() const {
   std::size_t sum = model_.particles.bytes() + search_.bytes() + pairs_->bytes() +
+                    (options_ ? options_->bytes() : 0) +
                     model_.walls.points.capacity() * sizeof(WallPoint) +
                     leaving_.capacity() * sizeof(std::uint32_t);
   for (auto const& indices : by_material_) sum += indices.capacity() * sizeof(std::uint32_t);

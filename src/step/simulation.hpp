@@ -25,10 +25,13 @@ struct ConservedSums {
   double kinetic_energy = 0.0;           // J
   double internal_energy = 0.0;          // J
   double potential_energy = 0.0;         // J, -m g . x
+  double penalty_energy = 0.0;           // J, of the repulsion between materials
   double mass = 0.0;                     // kg
   std::array<double, 3> momentum{};      // kg m/s
   std::array<double, 3> wall_impulse{};  // N s, of all walls on the fluid since the start
-  double total_energy() const { return kinetic_energy + internal_energy + potential_energy; }
+  double total_energy() const {
+    return kinetic_energy + internal_energy + potential_energy + penalty_energy;
+  }
 };
 
 /// Particles that left the domain and were removed, with what they took along. A particle is
@@ -89,6 +92,10 @@ class Simulation {
   ParticleStore const& particles() const { return model_.particles; }
   Search const& search() const { return search_; }
   PairBackend const& pairs() const { return *pairs_; }
+  /// Of the optional terms; zero where there are none.
+  OptionOutcome const& optional_terms() const { return option_outcome_; }
+  /// Loads of all terms on the wall particles of search().wet_walls(), in their order.
+  void loads_on_walls(std::vector<WallLoad>& loads) const;
   LostParticles lost() const;  // through all sides
   LostThroughSides const& lost_through() const { return lost_; }
   BookedEnergy const& booked() const { return booked_; }
@@ -139,17 +146,22 @@ class Simulation {
   void move_walls();
   void check_places_of_walls() const;
   void find_neighbours();
+  void sum_densities();
   void remove_lost();
   void evaluate_matter();
   void gather();
   void continue_into_walls();
   void sum_pairs();
+  void sum_optional_terms();
   void kick_and_check();
   void watch();
 
   void sort_by_material();
   Vote vote_of_walls() const;
   Vote vote_of_burn() const;
+  Vote vote_of_options() const;
+  bool density_is_state() const { return model_.numerics.density == DensityForm::continuity; }
+  void exchange_options(Archive& archive);
   double speed_of_walls() const;
   void damp(double half);
   [[noreturn]] void fail(Finding finding) const;
@@ -159,6 +171,7 @@ class Simulation {
   Model model_;
   Search search_;
   std::unique_ptr<PairBackend> pairs_;
+  std::unique_ptr<OptionBackend> options_;  // none where the case asks for no option
   Stages stages_;
   Timers timers_;
   std::vector<Action> sequence_;
@@ -166,6 +179,8 @@ class Simulation {
   Vote vote_;
   Vote acceleration_vote_, motion_vote_;
   SweepOutcome swept_;
+  OptionParameters option_parameters_;
+  OptionOutcome option_outcome_;
   LostThroughSides lost_{};
   std::vector<std::uint32_t> leaving_;  // indices, while lost particles are removed
   std::array<double, 3> wall_impulse_{};

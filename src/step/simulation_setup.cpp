@@ -52,9 +52,11 @@ SweepParameters sweep_parameters(Model const& model) {
   p.viscous_signal = viscous_signal(model.numerics.kernel, model.dimension);
   p.density_diffusion = model.numerics.density_diffusion;
   p.gravity = model.gravity;
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  for (std::size_t axis = 0; axis < 3 && model.numerics.diffusion == DiffusionForm::hydrostatic;
+       ++axis)
     p.hydrostatic_slope[axis] = model.gravity[axis] / (c * c);
   p.volume_continuity = model.numerics.continuity == ContinuityForm::volume;
+  p.summed_density = model.numerics.density != DensityForm::continuity;
   p.mixed_momentum = model.numerics.momentum == MomentumForm::mixed;
   // The first row of the finest particles must stand free of it.
   double const finest = model.finest_spacing > 0.0 ? model.finest_spacing : model.numerics.spacing;
@@ -75,6 +77,34 @@ std::vector<double> reference_densities(Model const& model) {
   for (Material const& material : model.materials)
     densities.push_back(reference_density(material.eos));
   return densities;
+}
+
+OptionParameters option_parameters(Model const& model) {
+  Numerics const& numerics = model.numerics;
+  OptionParameters p;
+  p.viscosity = numerics.physical_viscosity;
+  p.xsph = numerics.xsph;
+  if (numerics.diffusion == DiffusionForm::gradient)
+    p.gradient_diffusion = numerics.density_diffusion;
+  p.corrected_gradient = numerics.gradient_correction != GradientCorrection::off;
+  p.shifting = numerics.shifting;
+  p.penalty_strength = numerics.penalty.strength;
+  // At r = spacing while both have the h of the case, or at their mean h.
+  p.penalty_range =
+      numerics.penalty.range == PenaltyRange::spacing ? 0.5 / numerics.smoothing_factor : 0.5;
+  p.penalty_repulsion = numerics.penalty.repulsion;
+  p.penalty_attraction = numerics.penalty.attraction;
+  return p;
+}
+
+std::unique_ptr<OptionBackend> make_options_of(Model const& model) {
+  OptionParameters const options = option_parameters(model);
+  SweepParameters const sweep = sweep_parameters(model);
+  if (!options.any() && !sweep.summed_density) return nullptr;
+  OptionMatter matter{reference_densities(model), {}};
+  for (Material const& material : model.materials)
+    matter.dynamic_viscosity.push_back(material.dynamic_viscosity);
+  return make_option_backend(model.dimension, model.flavour(), sweep, options, std::move(matter));
 }
 
 SchemeName scheme_of(Model const& model) {

@@ -35,17 +35,18 @@ void Simulation::follow_density() {
   if (!smoothing.varies()) return;
   ParticleStore& store = model_.particles;
   auto h = store.scalar(Field::smoothing_length);
-  auto const density = store.scalar(Field::density);  // half a step ahead
+  auto const density = store.scalar(Field::density);  // half a step ahead, where it is a state
   auto const rate = store.scalar(Field::density_rate);
   auto const mass = store.scalar(Field::mass);
   double const dt = vote_.time_step;
+  double const to_come = density_is_state() ? 0.5 * dt : dt;
   double const inverse_d = 1.0 / model_.dimension;
   for_each_block(h.size(), loop_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (smoothing.mode == SmoothingMode::rate)
-        h[i] -= dt * h[i] * inverse_d * rate[i] / density[i];
+        h[i] -= smoothing.rate_share * dt * h[i] * inverse_d * rate[i] / density[i];
       else
-        h[i] = smoothing_of_density(model_, mass[i], density[i] + 0.5 * dt * rate[i]);
+        h[i] = smoothing_of_density(model_, mass[i], density[i] + to_come * rate[i]);
     }
   });
   clip_smoothing();

@@ -23,6 +23,7 @@ enum class Field : std::uint8_t {
   burn_fraction,
   lighting_time,
   smoothing_length,
+  drift,
 };
 
 enum class Rank : std::uint8_t { scalar, vector };
@@ -64,6 +65,8 @@ inline constexpr std::array field_table{
               "when the front of a programmed burn gets to the particle; infinite: never"},
     FieldInfo{Field::smoothing_length, "smoothing_length", "m", Rank::scalar, true, false, true,
               "smoothing length, where it follows the density"},
+    FieldInfo{Field::drift, "drift", "m/s", Rank::vector, true, false, true,
+              "velocity of the place less that of the material: averaging and shifting"},
 };
 inline constexpr std::size_t field_count = field_table.size();
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "terms/lane_type.hpp"
 #include "terms/pair_backend.hpp"
 #include "terms/records.hpp"
 #include "terms/reference_sweep.hpp"
@@ -12,15 +13,6 @@
 #include "terms/wall_extrapolation.hpp"
 
 namespace moraine {
-
-/// Number type of the lanes. Short lists (1D, 2D) waste fewer lanes with half-width registers.
-template <int D, Flavour flavour>
-struct LaneType {
-  static constexpr std::size_t floats = std::min(widest_float, NeighbourList::lanes(D));
-  using Slot = std::conditional_t<flavour == Flavour::mixed, float, double>;
-  using Real = std::conditional_t<flavour == Flavour::mixed, Simd<float, floats>,
-                                  Simd<double, (widest_float / 2 < 4 ? 2 : widest_float / 2)>>;
-};
 
 template <int D, Flavour flavour, class Kernel, class Scheme>
 class PairBackendImpl final : public PairBackend {
@@ -150,8 +142,9 @@ class PairBackendImpl final : public PairBackend {
     auto const density_rate = store.scalar(Field::density_rate);
     auto const pressure = store.scalar(Field::pressure);
     auto const material = store.material();
+    double const to_now = parameters_.summed_density ? 0.0 : ahead;
     for (std::size_t i = begin; i < end; ++i) {
-      double const rho = density[i] + ahead * density_rate[i];
+      double const rho = density[i] + to_now * density_rate[i];
       double const rho_0 = reference_densities_[material[i]];
       fluid_.set(i, PairField::pressure_term, pressure[i] / (rho * rho));
       fluid_.set(i, PairField::compression, (rho - rho_0) / rho_0);

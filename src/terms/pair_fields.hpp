@@ -11,6 +11,7 @@
 
 #include "base/macros.hpp"
 #include "base/simd.hpp"
+#include "base/symmetric.hpp"
 
 namespace moraine {
 
@@ -26,15 +27,36 @@ enum class PairField : std::uint8_t {
   wall_turn,          // normal x angular velocity of the wall [1/s]
   lattice_volume,     // volume of a wall particle, spacing^d [m^d]
   smoothing_length,   // h [m], where particles have their own
+  dynamic_viscosity,  // Pa s
+  group,              // number of the material; those of one group do not repel each other
+  density_gradient,   // kg/m^4
+  correction,         // correction of the kernel gradient, less the unit matrix [-]
+  wall_velocity,      // m/s, where `velocity` is what a wall shows to the terms instead
 };
-inline constexpr std::size_t pair_field_count = 11;
+inline constexpr std::size_t pair_field_count = 16;
+
+enum class PairRank : std::uint8_t { scalar, vector, symmetric };
+
+constexpr PairRank rank(PairField field) {
+  switch (field) {
+    case PairField::velocity:
+    case PairField::normal:
+    case PairField::wall_turn:
+    case PairField::density_gradient:
+    case PairField::wall_velocity:
+      return PairRank::vector;
+    case PairField::correction:
+      return PairRank::symmetric;
+    default:
+      return PairRank::scalar;
+  }
+}
 
 /// Numbers that a field takes in D dimensions.
 template <int D>
 constexpr int components(PairField field) {
-  bool const vector =
-      field == PairField::velocity || field == PairField::normal || field == PairField::wall_turn;
-  return vector ? D : 1;
+  if (rank(field) == PairRank::symmetric) return symmetric_size<D>;
+  return rank(field) == PairRank::vector ? D : 1;
 }
 
 /// Where each field lies in a record: position first, then the listed fields.
@@ -136,6 +158,26 @@ MORAINE_FORMULA auto lattice_volume(P const& particle) {
 template <class P>
 MORAINE_FORMULA auto smoothing_length(P const& particle) {
   return particle.template get<PairField::smoothing_length>();
+}
+template <class P>
+MORAINE_FORMULA auto dynamic_viscosity(P const& particle) {
+  return particle.template get<PairField::dynamic_viscosity>();
+}
+template <class P>
+MORAINE_FORMULA auto group(P const& particle) {
+  return particle.template get<PairField::group>();
+}
+template <class P>
+MORAINE_FORMULA auto density_gradient(P const& particle, int axis) {
+  return particle.template get<PairField::density_gradient>(axis);
+}
+template <class P>
+MORAINE_FORMULA auto correction(P const& particle, int component) {
+  return particle.template get<PairField::correction>(component);
+}
+template <class P>
+MORAINE_FORMULA auto wall_velocity(P const& particle, int axis) {
+  return particle.template get<PairField::wall_velocity>(axis);
 }
 template <class P>
 MORAINE_FORMULA auto wall_depth(P const& particle) {

@@ -93,12 +93,22 @@ class Records {
     return slot_of(static_cast<std::uint32_t>(i)) * Layout::stride;
   }
 
+  /// What reflecting a particle along an axis does to its fields.
   static void reverse(Slot* record, std::size_t axis) {
-    for (PairField const field : {PairField::velocity, PairField::normal, PairField::wall_turn})
-      if (Layout::has(field)) {
-        Slot& component = record[static_cast<std::size_t>(Layout::offset(field)) + axis];
-        component = -component;
+    for (std::size_t f = 0; f < pair_field_count; ++f) {
+      auto const field = static_cast<PairField>(f);
+      if (!Layout::has(field) || rank(field) == PairRank::scalar) continue;
+      Slot* const values = record + Layout::offset(field);
+      if (rank(field) == PairRank::vector) {
+        values[axis] = -values[axis];
+        continue;
       }
+      for (std::size_t other = 0; other < static_cast<std::size_t>(D); ++other)
+        if (other != axis) {
+          Slot& shared = values[symmetric_index<D>(axis, other)];
+          shared = -shared;
+        }
+    }
   }
 
   void put_nowhere(std::size_t slot) {

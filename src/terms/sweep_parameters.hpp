@@ -22,6 +22,7 @@ struct SweepParameters {
   std::array<double, 3> hydrostatic_slope{};  // g / c_0^2 [1/m]
   bool volume_continuity = false;             // form of the continuity equation
   bool mixed_momentum = false;                // form of the pressure force
+  bool summed_density = false;                // density is no state: nothing to predict
   double contact_gap = 1.0;                   // below this distance a wall pushes back [m]
   bool walls_move = false;                    // walls do work
   UniformFields<double> uniform{};

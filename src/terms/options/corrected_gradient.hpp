@@ -1,0 +1,93 @@
+#pragma once
+
+#include "terms/options/option_pair.hpp"
+#include "terms/pair_fields.hpp"
+
+namespace moraine {
+
+/// What the correction of the kernel gradient changes in continuity and pressure, K = L - 1.
+///
+///   mass:          d rho_i/dt += sum_j m_j v_ij . K_i grad_i W_ij
+///   volume:        the same, times rho_i / rho_j
+///   conservative:  dv_i/dt -= sum_j m_j (p_i / rho_i^2 K_i + p_j / rho_j^2 K_j) grad_i W_ij
+///   mixed:         the same with p_i / (rho_i rho_j), p_j / (rho_i rho_j)
+///   energy:        de_i/dt += share sum_j m_j v_ij . (...) grad_i W_ij, share 1/2, at walls 1
+///
+/// Source: Bonet & Lok, Comput. Methods Appl. Mech. Eng. 180 (1999) 97, eqs 44-46 and 59. Together
+/// with the terms of the main sweep, whose gradient is plain, it makes L_i grad W and its adjoint.
+/// L_i grad W is exact for linear velocities. Momentum and energy are conserved; the force is not
+/// along x_ij. A wall has K_j = 0, and with free slip only the velocity along its normal counts.
+template <class Real>
+struct CorrectedGradient {
+  bool on;
+  bool mixed;
+  bool volume;
+
+  template <bool wall, int D, class Self, class Neighbour>
+  MORAINE_FORMULA void add(OptionPair<Real, D> const& pair, Self const& i, Neighbour const& j,
+                           OptionSum<Real, D>& sum) const {
+    if constexpr (Self::has(PairField::correction)) {
+      if (!on) return;
+      Real const weight = pair_weight<wall>(j) * pair.gradient;
+      Real const rho_ratio = density(i) / density(j);
+      Real p_i = pressure_term(i);
+      Real p_j = pressure_term(j);
+      if constexpr (wall) {
+        // As the pressure of a wall, which never pulls.
+        Real const pushes = select(p_i + p_j < number<Real>(0), number<Real>(0), number<Real>(1));
+        p_i = pushes * (p_i + p_j);
+        p_j = number<Real>(0);
+      } else if (mixed) {
+        p_i = p_i * rho_ratio;
+        p_j = p_j / rho_ratio;
+      }
+      auto const own = [&i](int k) __attribute__((always_inline)) { return correction(i, k); };
+      Real rate = number<Real>(0);
+      Real work = number<Real>(0);
+      Real slipping[D];
+      seen_velocity<wall>(pair, i, j, slipping);
+      for (int axis = 0; axis < D; ++axis) {
+        Real const turned = row_times<D>(own, pair.x, axis);
+        Real push = p_i * turned;
+        if constexpr (!wall) {
+          auto const other = [&j](int k) __attribute__((always_inline)) {
+            return correction(j, k);
+          };
+          push += p_j * row_times<D>(other, pair.x, axis);
+        }
+        sum.acceleration[axis] -= weight * push;
+        Real v = pair.v[axis];
+        if constexpr (wall) v = velocity(i, axis) - wall_velocity(j, axis);
+        work += push * v;
+        rate += slipping[axis] * turned;
+      }
+      bool const by_volume = volume && !wall;
+      sum.density_rate += weight * rate * (by_volume ? rho_ratio : number<Real>(1));
+      sum.energy_rate += number<Real>(wall ? 1.0 : 0.5) * weight * work;
+    }
+  }
+
+ private:
+  /// v_ij as the continuity equation sees it.
+  template <bool wall, int D, class Self, class Neighbour>
+  MORAINE_FORMULA static void seen_velocity(OptionPair<Real, D> const& pair, Self const& i,
+                                            Neighbour const& j, Real (&v)[D]) {
+    if constexpr (!wall) {
+      for (int axis = 0; axis < D; ++axis) v[axis] = pair.v[axis];
+    } else {
+      Real along = number<Real>(0);
+      Real length2 = number<Real>(0);
+      for (int axis = 0; axis < D; ++axis) {
+        v[axis] = velocity(i, axis) - wall_velocity(j, axis);
+        along += v[axis] * normal(j, axis);
+        length2 += normal(j, axis) * normal(j, axis);
+      }
+      for (int axis = 0; axis < D; ++axis) {
+        Real const slipping = along * normal(j, axis) + (number<Real>(1) - length2) * v[axis];
+        v[axis] = select(number<Real>(0) < wall_depth(j), slipping, v[axis]);
+      }
+    }
+  }
+};
+
+}  // namespace moraine

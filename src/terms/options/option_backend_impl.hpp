@@ -1,0 +1,342 @@
+// The backend of the optional terms as a template; instantiated in option_backends_*.cpp only.
+#pragma once
+
+#include <cmath>
+
+#include "terms/options/moments.hpp"
+#include "terms/options/option_records.hpp"
+#include "terms/options/option_sums.hpp"
+#include "terms/options/option_sweep.hpp"
+#include "terms/options/option_terms.hpp"
+
+namespace moraine {
+
+template <int D, Flavour flavour, class Scheme>
+class OptionBackendImpl final : public OptionBackend {
+  using Slot = typename LaneType<D, flavour>::Slot;
+  using Real = typename LaneType<D, flavour>::Real;
+  using FluidLayout = typename Scheme::Fluid;
+  using WallLayout = typename Scheme::Wall;
+  using Constants = OptionConstants<Real, D>;
+  using Sum = OptionSum<Real, D>;
+  static constexpr bool has_gradients = FluidLayout::has(PairField::correction);
+  static constexpr auto sides = static_cast<std::size_t>(D);
+  /// What comes of the moments of a particle: gradient of density, then correction.
+  using Gradients = std::array<double, sides + symmetric_size<D>>;
+
+ public:
+  OptionBackendImpl(SweepParameters const& sweep, OptionParameters const& options,
+                    OptionMatter matter)
+      : sweep_(sweep),
+        options_(options),
+        uniform_(sweep.template uniform_as<Slot>()),
+        records_(sweep, std::move(matter)) {
+    uniform_[static_cast<std::size_t>(PairField::compression)] = Slot(0);
+  }
+
+  void sum_densities(ParticleStore& store, Search const& search, WallData const& walls,
+                     bool normalised) override {
+    gather(store, search, walls, 0.0);
+    auto const sums = [&](std::size_t i) {
+      DensitySum<Real> sum{};
+      add_all(search, i, std::tuple{SummedDensity{}}, sum);
+      return sum;
+    };
+    auto density = store.scalar(Field::density);
+    auto const mass = store.scalar(Field::mass);
+    for_each_particle([&](std::size_t i) {
+      density[i] = sum_of_lanes(sums(i).density) + mass[i] * central_kernel(i);
+    });
+    if (!normalised) return;
+    records_.gather_fluid(store, search, 0.0);
+    scratch_.resize(density.size());
+    for_each_particle([&](std::size_t i) {
+      double const own = mass[i] / density[i] * central_kernel(i);
+      scratch_[i] = density[i] / (sum_of_lanes(sums(i).volume) + own);
+    });
+    for_each_particle([&](std::size_t i) { density[i] = scratch_[i]; });
+  }
+
+  OptionOutcome sweep(ParticleStore& store, Search const& search, WallData const& walls,
+                      double ahead) override {
+    gather(store, search, walls, ahead);
+    if (options_.viscosity != ViscosityForm::off) show_fluid_to_walls(search);
+    clear_drift(store);
+    if constexpr (has_gradients) {
+      gradients_.resize(records_.fluid.owned());
+      std::fill(gradients_.begin(), gradients_.end(), Gradients{});
+      if (options_.gradient_diffusion > 0.0) find_density_gradients(search);
+    }
+    if (options_.corrected_gradient || options_.shifting > 0.0) look_around(store, search);
+    if constexpr (has_gradients) put_gradients(search);
+    return sum_terms(store, search);
+  }
+
+  void add_loads_on_walls(ParticleStore const& store, Search const& search,
+                          std::vector<WallLoad>& loads) const override {
+    auto const& wet = search.wet_walls();
+    for_each_block(wet.size(), NeighbourList::block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) add_load(store, search, wet[n], loads[n]);
+    });
+  }
+
+  std::size_t bytes() const override {
+    return records_.fluid.bytes() + records_.wall.bytes() + scratch_.capacity() * sizeof(double) +
+           gradients_.capacity() * sizeof(Gradients);
+  }
+
+ private:
+  void gather(ParticleStore const& store, Search const& search, WallData const& walls,
+              double ahead) {
+    sweep_.position_scale = search.settings().fixed_point.scale;
+    records_.gather_fluid(store, search, ahead);
+    records_.gather_walls(store, search, walls);
+  }
+
+  template <class Use>
+  void for_each_particle(Use&& use) const {
+    for_each_block(records_.fluid.owned(), NeighbourList::block,
+                   [&](std::size_t begin, std::size_t end) {
+                     for (std::size_t i = begin; i < end; ++i) use(i);
+                   });
+  }
+
+  Broadcast<Real, FluidLayout> self(std::size_t i) const {
+    return {records_.fluid.record(i), uniform_.data()};
+  }
+
+  template <class Terms, class AnySum>
+  void add_fluid(Search const& search, std::size_t i, Terms const& terms, AnySum& sum) const {
+    sum_options<Pairing::fluid_fluid, FluidLayout, Real, D>(
+        Constants(sweep_), self(i), search.fluid_fluid().of(i), records_.fluid.data(), terms, sum);
+  }
+  template <class Terms, class AnySum>
+  void add_walls(Search const& search, std::size_t i, Terms const& terms, AnySum& sum) const {
+    if (search.fluid_wall().of(i).empty()) return;
+    sum_options<Pairing::fluid_wall, WallLayout, Real, D>(
+        Constants(sweep_), self(i), search.fluid_wall().of(i), records_.wall.data(), terms, sum);
+  }
+  template <class Terms, class AnySum>
+  void add_all(Search const& search, std::size_t i, Terms const& terms, AnySum& sum) const {
+    add_fluid(search, i, terms, sum);
+    add_walls(search, i, terms, sum);
+  }
+
+  double own_smoothing(std::size_t i) const {
+    return records_.fluid.get(i, PairField::smoothing_length);
+  }
+  /// W(0) of a particle [1/m^d].
+  double central_kernel(std::size_t i) const {
+    AnyKernel<D> const kernel(sweep_.kernel);
+    return kernel.sigma / std::pow(own_smoothing(i), D) * kernel.shape(0.0);
+  }
+
+  /// Walls without slip show the velocity that makes that of the fluid at their face theirs.
+  void show_fluid_to_walls(Search const& search) {
+    auto const& wet = search.wet_walls();
+    for_each_block(wet.size(), NeighbourList::block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) {
+        std::size_t const w = wet[n];
+        Broadcast<Real, WallLayout> const wall{records_.wall.record(w), uniform_.data()};
+        VelocitySum<Real, D> sum{};
+        sum_options<Pairing::wall_fluid, FluidLayout, Real, D>(
+            Constants(sweep_), wall, search.wall_fluid().of(w), records_.fluid.data(),
+            std::tuple{VelocityBeforeWall{}}, sum);
+        double const weight = sum_of_lanes(sum.weight);
+        if (!(weight > 0.0)) continue;
+        for (int axis = 0; axis < D; ++axis)
+          records_.wall.set(w, PairField::velocity,
+                            2.0 * records_.wall.get(w, PairField::wall_velocity, axis) -
+                                sum_of_lanes(sum.velocity[axis]) / weight,
+                            axis);
+      }
+    });
+    records_.wall.refresh(search.images(Kind::wall), search.settings().sides);
+  }
+
+  static MomentSum<double, D> in_one(MomentSum<Real, D> const& lanes) {
+    MomentSum<double, D> sum{};
+    for (int k = 0; k < symmetric_size<D>; ++k) sum.matrix[k] = sum_of_lanes(lanes.matrix[k]);
+    for (int a = 0; a < D; ++a) {
+      sum.concentration[a] = sum_of_lanes(lanes.concentration[a]);
+      sum.density_slope[a] = sum_of_lanes(lanes.density_slope[a]);
+    }
+    return sum;
+  }
+  static Symmetric<D> correction_of(MomentSum<double, D> const& sum) {
+    Symmetric<D> matrix{};
+    std::copy(std::begin(sum.matrix), std::end(sum.matrix), matrix.begin());
+    return gradient_correction<D>(matrix);
+  }
+
+  void find_density_gradients(Search const& search) {
+    std::tuple const terms{Moments<Real>{true}};
+    for_each_particle([&](std::size_t i) {
+      MomentSum<Real, D> lanes{};
+      add_fluid(search, i, terms, lanes);
+      MomentSum<double, D> const sum = in_one(lanes);
+      Symmetric<D> const k = correction_of(sum);
+      auto const entry = [&k](int at) { return k[static_cast<std::size_t>(at)]; };
+      for (int a = 0; a < D; ++a)
+        gradients_[i][static_cast<std::size_t>(a)] =
+            sum.density_slope[a] + row_times<D>(entry, sum.density_slope, a);
+    });
+  }
+
+  void clear_drift(ParticleStore& store) const {
+    if (!store.has(Field::drift)) return;
+    for (int axis = 0; axis < D; ++axis) {
+      auto drift = store.component(Field::drift, axis);
+      std::fill(drift.begin(), drift.end(), 0.0);
+    }
+  }
+
+  /// Correction of gradients and shifting, both from all that is around a particle.
+  void look_around(ParticleStore& store, Search const& search) {
+    std::tuple const terms{Moments<Real>{false}};
+    for_each_particle([&](std::size_t i) {
+      MomentSum<Real, D> lanes{};
+      add_all(search, i, terms, lanes);
+      MomentSum<double, D> const sum = in_one(lanes);
+      if constexpr (has_gradients) {
+        Symmetric<D> const k = correction_of(sum);
+        if (options_.corrected_gradient) std::copy(k.begin(), k.end(), gradients_[i].begin() + D);
+      }
+      if (!(options_.shifting > 0.0)) return;
+      double speed2 = 0.0;
+      for (int axis = 0; axis < D; ++axis)
+        speed2 += std::pow(records_.fluid.get(i, PairField::velocity, axis), 2);
+      auto const shift =
+          shifting_velocity<D>(options_.shifting, own_smoothing(i), std::sqrt(speed2), sum);
+      for (int axis = 0; axis < D; ++axis)
+        store.component(Field::drift, axis)[i] = shift[static_cast<std::size_t>(axis)];
+    });
+  }
+
+  /// Records are filled only when nobody reads them any more.
+  void put_gradients(Search const& search) {
+    for_each_particle([&](std::size_t i) {
+      for (int a = 0; a < D; ++a)
+        records_.fluid.set(i, PairField::density_gradient,
+                           gradients_[i][static_cast<std::size_t>(a)], a);
+      for (int k = 0; k < symmetric_size<D>; ++k)
+        records_.fluid.set(i, PairField::correction, gradients_[i][static_cast<std::size_t>(D + k)],
+                           k);
+    });
+    records_.fluid.refresh(search.images(Kind::fluid), search.settings().sides);
+  }
+
+  OptionOutcome sum_terms(ParticleStore& store, Search const& search) const {
+    auto const terms = option_terms<Real>(sweep_, options_);
+    auto const block = [&](std::size_t begin, std::size_t end) {
+      OptionOutcome outcome;
+      for (std::size_t i = begin; i < end; ++i) {
+        Sum sum{};
+        add_fluid(search, i, terms, sum);
+        Sum const from_fluid = sum;
+        add_walls(search, i, terms, sum);
+        add_to_store(store, i, sum);
+        tell(store, i, sum, from_fluid, outcome);
+      }
+      return outcome;
+    };
+    auto const combine = [](OptionOutcome a, OptionOutcome const& b) {
+      a.add(b);
+      return a;
+    };
+    return reduce_blocks(records_.fluid.owned(), OptionOutcome{}, block, combine);
+  }
+
+  void add_to_store(ParticleStore& store, std::size_t i, Sum const& sum) const {
+    double const mass = store.scalar(Field::mass)[i];
+    for (int axis = 0; axis < D; ++axis)
+      store.component(Field::acceleration, axis)[i] +=
+          sum_of_lanes(sum.acceleration[axis]) + sum_of_lanes(sum.penalty_force[axis]) / mass;
+    store.scalar(Field::density_rate)[i] +=
+        sum_of_lanes(sum.density_rate) + sum_of_lanes(sum.diffusion);
+    store.scalar(Field::energy_rate)[i] += sum_of_lanes(sum.energy_rate);
+    if (!(options_.xsph > 0.0)) return;
+    for (int axis = 0; axis < D; ++axis)
+      store.component(Field::drift, axis)[i] += sum_of_lanes(sum.drift[axis]);
+  }
+
+  void tell(ParticleStore const& store, std::size_t i, Sum const& all, Sum const& from_fluid,
+            OptionOutcome& outcome) const {
+    double const mass = store.scalar(Field::mass)[i];
+    double const rho = store.scalar(Field::density)[i];
+    double const h = own_smoothing(i);
+    OptionOutcome own;
+    own.viscous_rate = options_.viscosity == ViscosityForm::off
+                           ? 0.0
+                           : records_.fluid.get(i, PairField::dynamic_viscosity) / (rho * h * h);
+    own.viscous_particle = i;
+    own.penalty_rate = sum_of_lanes(all.stiffness) / mass;
+    own.penalty_particle = i;
+    own.wall_power = mass * sum_of_lanes(all.energy_rate - from_fluid.energy_rate);
+    for (int axis = 0; axis < D; ++axis) {
+      double const from_walls =
+          mass * sum_of_lanes(all.acceleration[axis] - from_fluid.acceleration[axis]);
+      own.wall_force[static_cast<std::size_t>(axis)] = from_walls;
+      own.wall_power += from_walls * records_.fluid.get(i, PairField::velocity, axis);
+    }
+    own.penalty_energy = sum_of_lanes(all.potential);
+    own.energy.viscosity = mass * sum_of_lanes(from_fluid.viscous_heat);
+    own.energy.wall_viscosity = mass * sum_of_lanes(all.viscous_heat - from_fluid.viscous_heat);
+    own.energy.diffusion =
+        mass * store.scalar(Field::pressure)[i] / (rho * rho) * sum_of_lanes(all.diffusion);
+    outcome.add(own);
+  }
+
+  void add_load(ParticleStore const& store, Search const& search, std::size_t w,
+                WallLoad& load) const {
+    OptionConstants<double, D> const constants(sweep_);
+    auto const terms = option_terms<double>(sweep_, options_);
+    auto const uniform = doubles();
+    auto const wall = records_.wall.in_metres(w, sweep_.position_scale);
+    Broadcast<double, WallLayout> const neighbour{wall.data(), uniform.data()};
+    auto const& images = search.images(Kind::fluid);
+    for (std::uint32_t const j : search.wall_fluid().points(w)) {
+      auto const fluid = records_.fluid.in_metres(j, sweep_.position_scale);
+      Broadcast<double, FluidLayout> const from{fluid.data(), uniform.data()};
+      double x[D];
+      for (int axis = 0; axis < D; ++axis)
+        x[axis] = fluid[static_cast<std::size_t>(axis)] - wall[static_cast<std::size_t>(axis)];
+      auto const pair = option_pair<Pairing::fluid_wall, double, D>(constants, from, neighbour, x);
+      OptionSum<double, D> sum{};
+      std::apply(
+          [&](auto const&... term) { (term.template add<true>(pair, from, neighbour, sum), ...); },
+          terms);
+      std::size_t const owner =
+          j < records_.fluid.owned() ? j : images[j - records_.fluid.owned()].source;
+      double const mass = store.scalar(Field::mass)[owner];
+      for (int axis = 0; axis < D; ++axis)
+        load.force[static_cast<std::size_t>(axis)] -= mass * sum.acceleration[axis];
+    }
+  }
+
+  UniformFields<double> doubles() const {
+    auto uniform = sweep_.template uniform_as<double>();
+    uniform[static_cast<std::size_t>(PairField::compression)] = 0.0;
+    return uniform;
+  }
+
+  SweepParameters sweep_;
+  OptionParameters options_;
+  UniformFields<Slot> uniform_;
+  OptionRecords<D, flavour, Scheme> records_;
+  std::vector<double> scratch_;
+  std::vector<Gradients> gradients_;
+};
+
+/// The backend of one dimension and flavour.
+template <int D, Flavour flavour>
+std::unique_ptr<OptionBackend> make_options(SweepParameters const& sweep,
+                                            OptionParameters const& options, OptionMatter matter) {
+  if (options.needs_gradients())
+    return std::make_unique<OptionBackendImpl<D, flavour, GradientOptions<D>>>(sweep, options,
+                                                                               std::move(matter));
+  return std::make_unique<OptionBackendImpl<D, flavour, PlainOptions<D>>>(sweep, options,
+                                                                          std::move(matter));
+}
+
+}  // namespace moraine
