@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "terms/lane_type.hpp"
+#include "terms/gather_fluid.hpp"
 #include "terms/options/option_backend.hpp"
 #include "terms/options/option_schemes.hpp"
 #include "terms/records.hpp"
@@ -13,6 +13,7 @@ namespace moraine {
 template <int D, Flavour flavour, class Scheme>
 class OptionRecords {
  public:
+  static constexpr int dimension = D;
   using Slot = typename LaneType<D, flavour>::Slot;
   using Fluid = Records<Slot, typename Scheme::Fluid>;
   using Wall = Records<Slot, typename Scheme::Wall>;
@@ -28,7 +29,7 @@ class OptionRecords {
     std::size_t const count = store.range(Kind::fluid).size();
     fluid.resize(count, images.size());
     for_each_block(count, loop_block, [&](std::size_t begin, std::size_t end) {
-      gather_vectors(store, search.settings().fixed_point, ahead, {begin, end});
+      gather_vectors(*this, store, search.settings().fixed_point, ahead, {begin, end});
       gather_scalars(store, ahead, {begin, end});
     });
     fluid.refresh(images, search.settings().sides);
@@ -50,19 +51,6 @@ class OptionRecords {
   Wall wall;
 
  private:
-  void gather_vectors(ParticleStore const& store, FixedPoint const& map, double ahead,
-                      Range block) {
-    for (int axis = 0; axis < D; ++axis) {
-      auto const x = store.component(Field::position, axis);
-      auto const v = store.component(Field::velocity, axis);
-      auto const a = store.component(Field::acceleration, axis);
-      for (std::size_t i = block.begin; i < block.end; ++i) {
-        fluid.set_position(i, axis, x[i], map);
-        fluid.set(i, PairField::velocity, v[i] + ahead * a[i], axis);
-      }
-    }
-  }
-
   void gather_scalars(ParticleStore const& store, double ahead, Range block) {
     auto const density = store.scalar(Field::density);
     auto const rate = store.scalar(Field::density_rate);
