@@ -5,12 +5,20 @@
 #include <stdexcept>
 
 namespace moraine {
+namespace {
+
+// s; squares and products with values stay numbers.
+constexpr double latest_time = 1e12;
+
+}  // namespace
 
 void check_record(GroundRecord const& record) {
   if (record.size() < 2)
     throw std::invalid_argument("ground record: it must have two values or more");
   if (!(record.time_step > 0.0) || !std::isfinite(record.time_step))
     throw std::invalid_argument("ground record: the time step must be positive");
+  if (!(std::fabs(record.time(record.size() - 1)) < latest_time))
+    throw std::invalid_argument("ground record: it must end before 1e12 s");
   for (double const a : record.acceleration)
     if (!std::isfinite(a)) throw std::invalid_argument("ground record: a value is not finite");
 }

@@ -21,7 +21,7 @@ struct GroundRecord {
 };
 
 /// Throws std::invalid_argument unless the record has two values or more, all finite, and a step
-/// that is positive and finite.
+/// that is positive and finite, and ends before 1e12 s.
 void check_record(GroundRecord const& record);
 
 /// A peak of a history: the largest magnitude and its first time.

@@ -56,7 +56,7 @@ class Edits {
       }
       if (bytes.empty()) return;
       if (kind == 'c') bytes.resize(place);
-      if (kind == 'a') bytes.append(place, static_cast<char>(number()));
+      if (kind == 'a' && bytes.size() < longest) bytes.append(place, static_cast<char>(number()));
       if (kind == 'i') bytes.insert(place, 1, static_cast<char>(number()));
       if (kind == 'd') bytes.erase(place, 1);
       if (kind == 's') std::swap(bytes[place], bytes[number() % bytes.size()]);
@@ -66,6 +66,8 @@ class Edits {
   }
 
  private:
+  static constexpr std::size_t longest = 1 << 22;  // each appending may double the file
+
   std::size_t number() {
     std::uint32_t value = 0;
     std::size_t const count = std::min(sizeof value, size_ - at_);

@@ -204,7 +204,10 @@ View view_of(ParticleFrame const& frame, ParticleFrame const& walls, double spac
   view.include(walls);
   if (!(view.left <= view.right)) view.left = view.bottom = view.right = view.top = 0.0;
   double const extent = std::max(view.width(), view.height());
-  view.widen(0.5 * spacing + (extent > 0.0 ? 0.01 * extent : 0.5));
+  // So wide that the view has a size where its places have few digits left.
+  double const farthest = std::max(
+      {std::abs(view.left), std::abs(view.right), std::abs(view.bottom), std::abs(view.top)});
+  view.widen(std::max(0.5 * spacing + (extent > 0.0 ? 0.01 * extent : 0.5), 1e-9 * farthest));
   return view;
 }
 

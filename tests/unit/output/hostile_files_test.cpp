@@ -78,6 +78,15 @@ TEST_F(HostileFiles, TablesOfExtremeNumbersAreDrawn) {
   EXPECT_EQ(picture.find("inf"), std::string::npos);
 }
 
+TEST_F(HostileFiles, ParticlesFarFromTheOriginAreDrawn) {
+  ParticleStore store(2);
+  std::size_t const i = store.append(Kind::fluid, 0);
+  for (int axis = 0; axis < 2; ++axis) store.component(Field::position, axis)[i] = 2.8e20;
+  write_vtp(path("far.vtp"), store, Kind::fluid, 0.0);
+  plot_frame(path("far.vtp"), "pressure", path("far.svg"), {});
+  EXPECT_NE(bytes_of(path("far.svg")).find("</svg>"), std::string::npos);
+}
+
 TEST_F(HostileFiles, ManifestsOfOtherShapesAreNoEnd) {
   for (char const* text :
        {"", "[]", "3", R"({"state": 3})", R"({"state": {}})", R"({"state": "x"})"}) {

@@ -145,6 +145,11 @@ TEST(RecordReader, TellsOfAllMistakesTogether) {
       "NPTS= 4000, DT= .0050 SEC");
 }
 
+TEST(RecordReader, RefusesTimesWithoutEnd) {
+  EXPECT_EQ(refusal("IN UNITS OF G\nNPTS= 4, 1e308 SEC\n1 2 3 4\n"),
+            "r.txt: ground record: it must end before 1e12 s");
+}
+
 TEST(RecordReader, ListsTenOfAKind) {
   std::string text = "t_s,a_g\n";
   for (int i = 0; i < 25; ++i) text += fmt::format("{},{}\n", i, i % 2 == 0 ? "1" : "?");
