@@ -12,6 +12,7 @@
 #include "base/input_error.hpp"
 #include "setup/check_burn.hpp"
 #include "setup/check_motion.hpp"
+#include "setup/check_options.hpp"
 #include "setup/check_probe.hpp"
 #include "setup/check_region.hpp"
 #include "setup/check_spacing.hpp"
@@ -58,6 +59,7 @@ class CaseCheck {
       else
         check_probe(case_, case_.gauges[i], keys_.gauges[i], source_);
     check_stages(case_, keys_.stages, source_);
+    check_options(case_, source_);
     check_domain();
     check_spacings(case_, keys_.regions, source_);
   }

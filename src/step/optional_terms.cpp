@@ -31,8 +31,8 @@ Vote Simulation::vote_of_options() const {
     vote = {viscous_share / option_outcome_.viscous_rate, viscous_limit,
             id[option_outcome_.viscous_particle]};
   if (option_outcome_.penalty_rate > 0.0)
-    vote = stricter(vote, {1.0 / std::sqrt(option_outcome_.penalty_rate), penalty_limit,
-                           id[option_outcome_.penalty_particle]});
+    vote = stricter(vote, {model_.time.courant / std::sqrt(option_outcome_.penalty_rate),
+                           penalty_limit, id[option_outcome_.penalty_particle]});
   return vote;
 }
 
