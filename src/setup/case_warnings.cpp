@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "setup/check_burn.hpp"
+#include "setup/check_walls.hpp"
 #include "setup/geometry.hpp"
 #include "setup/parameter.hpp"
 #include "setup/region_lattice.hpp"
@@ -44,6 +45,7 @@ class Warnings {
     look_at_sound_speeds();
     add_smoothing_warnings(case_, warnings_);
     add_burn_warnings(case_, warnings_);
+    add_wall_warnings(case_, warnings_);
     add_start_warnings(case_, warnings_);
     return std::move(warnings_);
   }

@@ -44,6 +44,7 @@ void Simulation::choose_time_step() {
   vote = stricter(vote, acceleration_vote_);
   vote = stricter(vote, motion_vote_);
   vote = stricter(vote, vote_of_walls());
+  vote = stricter(vote, vote_of_repulsion());
   vote = stricter(vote, vote_of_burn());
   if (stages_.damping() > 0.0)
     vote = stricter(vote, {0.5 / stages_.damping(), damping_limit, Vote::nobody});
@@ -233,8 +234,6 @@ void Simulation::kick_and_check() {
   fastest_ = std::sqrt(outcome.speed2.value);
   motion_vote_ = {longest_motion * of_case / std::sqrt(outcome.motion2.value), motion_limit,
                   id[outcome.motion2.particle]};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    wall_impulse_[axis] += swept_.wall_force[axis] * vote_.time_step;
 }
 
 ConservedSums Simulation::sums() const {
@@ -268,6 +267,7 @@ ConservedSums Simulation::sums() const {
   ConservedSums total =
       reduce_blocks(store.range(Kind::fluid).size(), ConservedSums{}, add, combine);
   total.wall_impulse = wall_impulse_;
+  total.potential_energy += pushed_.energy;
   return total;
 }
 

@@ -17,6 +17,7 @@
 #include "step/model.hpp"
 #include "step/smoothing_lengths.hpp"
 #include "step/time_step.hpp"
+#include "walls/face_push.hpp"
 
 namespace moraine {
 
@@ -24,7 +25,7 @@ namespace moraine {
 struct ConservedSums {
   double kinetic_energy = 0.0;           // J
   double internal_energy = 0.0;          // J
-  double potential_energy = 0.0;         // J, -m g . x
+  double potential_energy = 0.0;         // J, -m g . x, and that of repulsive walls
   double mass = 0.0;                     // kg
   std::array<double, 3> momentum{};      // kg m/s
   std::array<double, 3> wall_impulse{};  // N s, of all walls on the fluid since the start
@@ -149,6 +150,7 @@ class Simulation {
 
   void sort_by_material();
   Vote vote_of_walls() const;
+  Vote vote_of_repulsion() const;
   Vote vote_of_burn() const;
   double speed_of_walls() const;
   void damp(double half);
@@ -166,6 +168,7 @@ class Simulation {
   Vote vote_;
   Vote acceleration_vote_, motion_vote_;
   SweepOutcome swept_;
+  FacePush pushed_;
   LostThroughSides lost_{};
   std::vector<std::uint32_t> leaving_;  // indices, while lost particles are removed
   std::array<double, 3> wall_impulse_{};
