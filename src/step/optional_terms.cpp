@@ -41,6 +41,11 @@ void Simulation::loads_on_walls(std::vector<WallLoad>& loads) const {
   if (options_) options_->add_loads_on_walls(model_.particles, search_, loads);
 }
 
+void Simulation::loads_on_mirrors(std::vector<MirrorLoad>& loads) const {
+  pairs_->loads_on_mirrors(model_.particles, search_, loads);
+  if (options_) options_->add_loads_on_mirrors(model_.particles, search_, loads);
+}
+
 /// Rates are saved with the particles; what else the last sweep told must be there for the next.
 void Simulation::exchange_options(Archive& archive) {
   OptionOutcome& told = option_outcome_;

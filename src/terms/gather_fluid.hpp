@@ -42,6 +42,41 @@ void gather_scalars(Pairs& pairs, ParticleStore const& store, double ahead, Rang
   }
 }
 
+/// What images at walls differ in from those at symmetry planes. The image of a particle at a
+/// no-slip wall has all of the velocity reversed; of several reflections each does its part. The
+/// pressure is continued with hydrostatics,
+///
+///   p' = p + rho g . (x' - x),
+///
+/// counted along the axes across the walls, as in wall_extrapolation.hpp.
+template <class Pairs>
+void adjust_wall_images(Pairs& pairs, std::vector<Image> const& images, DomainSides const& sides) {
+  constexpr auto axes = static_cast<std::size_t>(Pairs::dimension);
+  auto& fluid = pairs.fluid;
+  for_each_block(images.size(), loop_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      if (!sides.at_wall(images[k])) continue;
+      std::size_t const i = fluid.owned() + k;
+      double fall = 0.0;  // g . (x' - x) [m^2/s^2]
+      for (std::size_t axis = 0; axis < axes; ++axis) {
+        Plane const plane = sides.plane_of(images[k].shift[axis], axis);
+        if (plane <= Plane::symmetry) continue;
+        fall += pairs.parameters.gravity[axis] *
+                pairs.metres_between(fluid.record(i)[axis], fluid.record(images[k].source)[axis]);
+        if (plane != Plane::stick_wall) continue;
+        for (std::size_t along = 0; along < axes; ++along)
+          if (along != axis) fluid.reverse_velocity(i, along);
+      }
+      if (fall == 0.0) continue;
+      double rho_0 =
+          pairs.parameters.uniform[static_cast<std::size_t>(PairField::reference_density)];
+      if constexpr (!Pairs::Scheme::uniform) rho_0 = fluid.get(i, PairField::reference_density);
+      double const rho = rho_0 * (1.0 + fluid.get(i, PairField::compression));
+      fluid.set(i, PairField::pressure_term, fluid.get(i, PairField::pressure_term) + fall / rho);
+    }
+  });
+}
+
 /// As PairBackend::gather_fluid.
 template <class Pairs>
 void gather_fluid_records(Pairs& pairs, ParticleStore const& store, Search const& search,
@@ -54,7 +89,9 @@ void gather_fluid_records(Pairs& pairs, ParticleStore const& store, Search const
     gather_vectors(pairs, store, search.settings().fixed_point, ahead, {begin, end});
     gather_scalars(pairs, store, ahead, {begin, end});
   });
-  pairs.fluid.refresh(images, search.settings().sides);
+  DomainSides const& sides = search.settings().sides;
+  pairs.fluid.refresh(images, sides);
+  if (sides.any_wall()) adjust_wall_images(pairs, images, sides);
 }
 
 }  // namespace moraine
