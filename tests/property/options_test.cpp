@@ -49,8 +49,7 @@ bool is_inner(Model const& model, std::size_t i, double reach) {
   return true;
 }
 
-// In the volume form d rho / dt = - rho div v to rounding, whatever the disorder; the plain
-// gradient is off by up to a third here.
+// In the volume form d rho / dt = - rho div v to rounding, whatever the disorder.
 TEST(CorrectedGradient, IsExactForLinearVelocities) {
   for (int const dimension : {2, 3}) {
     Model model = one_liquid(dimension);
@@ -74,8 +73,8 @@ TEST(CorrectedGradient, IsExactForLinearVelocities) {
   }
 }
 
-// The diffusion of a linear density is what the softening phi leaves of it: none without the
-// gradient, 1 %, would be seen; the hydrostatic form, which knows gravity alone, diffuses it.
+// Of a linear density the gradient form diffuses only what the softening phi makes of close pairs;
+// the hydrostatic form, which knows gravity alone, diffuses it.
 TEST(GradientDiffusion, LeavesALinearDensityAlone) {
   auto const most = [](DiffusionForm form) {
     Model model = one_liquid(2);

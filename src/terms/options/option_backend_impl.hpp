@@ -122,9 +122,9 @@ class OptionBackendImpl final : public OptionBackend {
   template <class Terms, class AnySum>
   void add_mirrored(Search const& search, std::size_t i, Terms const& terms, AnySum& sum) const {
     if (!sweep_.mirror_walls || search.fluid_mirrored().of(i).empty()) return;
-    sum_options<Pairing::fluid_fluid, FluidLayout, Real, D>(
-        Constants(sweep_), self(i), search.fluid_mirrored().of(i), records_.fluid.data(), terms,
-        sum);
+    sum_options<Pairing::fluid_fluid, FluidLayout, Real, D>(Constants(sweep_), self(i),
+                                                            search.fluid_mirrored().of(i),
+                                                            records_.fluid.data(), terms, sum);
   }
   template <class Terms, class AnySum>
   void add_walls(Search const& search, std::size_t i, Terms const& terms, AnySum& sum) const {

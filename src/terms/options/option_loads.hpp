@@ -50,9 +50,8 @@ class OptionLoads {
       Broadcast<double, FluidLayout> const neighbour{image.data(), uniform_.data()};
       auto const side = side_met_first(store, search.settings().sides, load.particle,
                                        images[j - records_.fluid.owned()]);
-      subtract_force<Pairing::fluid_fluid>(self, neighbour,
-                                           store.scalar(Field::mass)[load.particle],
-                                           load.force[side]);
+      subtract_force<Pairing::fluid_fluid>(
+          self, neighbour, store.scalar(Field::mass)[load.particle], load.force[side]);
     }
   }
 
@@ -65,8 +64,9 @@ class OptionLoads {
     for (int axis = 0; axis < D; ++axis) x[axis] = self.position(axis) - neighbour.position(axis);
     auto const pair = option_pair<pairing, double, D>(constants_, self, neighbour, x);
     OptionSum<double, D> sum{};
-    std::apply([&](auto const&... term) { (term.template add<wall>(pair, self, neighbour, sum), ...); },
-               terms_);
+    std::apply(
+        [&](auto const&... term) { (term.template add<wall>(pair, self, neighbour, sum), ...); },
+        terms_);
     for (int axis = 0; axis < D; ++axis)
       force[static_cast<std::size_t>(axis)] -= mass * sum.acceleration[axis];
   }
