@@ -99,9 +99,15 @@ std::string matter_words(Case const& c) {
 std::string wall_words(Case const& c) {
   if (c.walls.empty()) return "nothing: the case has no walls";
   std::string text;
-  for (auto const& wall : c.walls)
+  for (auto const& wall : c.walls) {
     text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", wall.name,
                         wall.slip == Slip::free ? "free slip" : "no slip");
+    if (wall.mirrors()) text += ", mirror images of the fluid";
+    if (wall.pushes())
+      text += fmt::format(", repulsive particles (D = {:.4g} m^2/s^2, r0 = {:.4g} m)",
+                          wall.repulsion.value_or(0.0),
+                          wall.repulsion_range.value_or(0.5 * c.numerics.spacing));
+  }
   return text;
 }
 

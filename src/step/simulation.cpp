@@ -183,7 +183,9 @@ void Simulation::sum_pairs() {
   book_walls();  // as momentum and energy are integrated: half a step with the old rates
   swept_ = pairs_->sweep(model_.particles, search_);
   if (!model_.walls.push()) return;
-  pushed_ = push_from_faces(model_.particles, model_.walls);
+  // No step is longer than that of the sound, unless it is fixed.
+  double const longest = model_.time.courant * model_.numerics.smoothing_length();
+  pushed_ = push_from_faces(model_.particles, model_.walls, longest / swept_.signal_speed);
   swept_.wall_force = add(swept_.wall_force, pushed_.force);
   swept_.wall_power += pushed_.power;
 }

@@ -27,10 +27,11 @@ Vote Simulation::vote_of_walls() const {
 }
 
 /// The largest frequency of a particle in the field of the wall, omega^2 = k/m, must be resolved:
-/// omega dt <= 2 C, 0.6 with C = 0.3, where 2 is the limit of leapfrog.
+/// omega dt <= C, where 2 is the limit of leapfrog: the force begins with a kink, and steps vary.
+/// With 2 C water that falls over in a tank gained 2.6 % of its energy, with C 0.5 %.
 Vote Simulation::vote_of_repulsion() const {
   if (pushed_.stiffness == 0.0) return {};
-  return {2.0 * model_.time.courant / std::sqrt(pushed_.stiffness), repulsion_limit,
+  return {model_.time.courant / std::sqrt(pushed_.stiffness), repulsion_limit,
           model_.particles.id()[pushed_.particle]};
 }
 

@@ -11,6 +11,11 @@ struct Repulsion {
   double stiffness = 0.0;      // -d(acceleration)/dr [1/s^2]
 };
 
+/// Stiffness at the range, from inside: 8 D / r_0^2 [1/s^2].
+MORAINE_FORMULA double stiffness_at_range(double strength, double range) {
+  return 8.0 * strength / (range * range);
+}
+
 /// Repulsion of a wall particle.
 ///
 ///   a = D ((r_0/r)^12 - (r_0/r)^4) x / r^2,   r < r_0

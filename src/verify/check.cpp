@@ -20,6 +20,7 @@ std::vector<CheckResult> check_momentum_mixed(Effort effort);
 std::vector<CheckResult> check_energy_order(Effort effort);
 std::vector<CheckResult> check_hydrostatic_pressure(Effort effort);
 std::vector<CheckResult> check_sloshing(Effort effort);
+std::vector<CheckResult> check_walls(Effort effort);
 std::vector<CheckResult> check_martin_moyce_front(Effort effort);
 std::vector<CheckResult> check_tnt_in_water(Effort effort);
 std::vector<CheckResult> check_tnt_kernels(Effort effort);
@@ -43,6 +44,9 @@ constexpr std::array all_checks{
           check_hydrostatic_pressure},
     Check{"sloshing", "water in a swaying tank moves as linear potential theory says",
           check_sloshing},
+    Check{"walls",
+          "walls that mirror the fluid keep water still and reflect sound; none leak or heat",
+          check_walls},
     Check{"martin-moyce-front", "the front of a dam break advances as measured",
           check_martin_moyce_front},
     Check{"tnt-in-water",

@@ -1,5 +1,6 @@
 #include "walls/face_push.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/parallel_for.hpp"
@@ -37,29 +38,50 @@ PushOnParticle push_of(WallData const& walls, WallFace const& face, int dimensio
   return push;
 }
 
-FacePush push_from_faces(ParticleStore& store, WallData const& walls) {
-  auto const axes = static_cast<std::size_t>(store.dimension());
+namespace {
+
+/// Whether a particle is in front of or behind a face and can come within its range soon.
+bool is_near(WallData const& walls, WallFace const& face, int dimension, Vec3 place, Vec3 velocity,
+             double ahead) {
+  if (face.body != WallFace::at_rest) {
+    RigidState const& state = walls.bodies[face.body].state;
+    velocity = subtract(velocity, state.velocity(place));
+    place = state.start_of(place);
+  }
+  double const reach = face.repulsion.range + ahead * norm(velocity);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
+    if (place[k] <= face.low[k] - reach || place[k] >= face.high[k] + reach) return false;
+  return true;
+}
+
+}  // namespace
+
+FacePush push_from_faces(ParticleStore& store, WallData const& walls, double ahead) {
+  int const dimension = store.dimension();
+  auto const axes = static_cast<std::size_t>(dimension);
   auto const mass = store.scalar(Field::mass);
-  std::array<std::span<double>, 3> position, acceleration;
+  std::array<std::span<double>, 3> position, velocity, acceleration;
   for (std::size_t k = 0; k < axes; ++k) {
     position[k] = store.component(Field::position, static_cast<int>(k));
+    velocity[k] = store.component(Field::velocity, static_cast<int>(k));
     acceleration[k] = store.component(Field::acceleration, static_cast<int>(k));
   }
   auto const of_block = [&](std::size_t begin, std::size_t end) {
     FacePush sum;
-    for (WallFace const& face : walls.faces) {
-      if (!(face.repulsion.strength > 0.0)) continue;
-      bool const at_rest = face.body == WallFace::at_rest;
-      for (std::size_t i = begin; i < end; ++i) {
-        double const gap = position[face.axis][i] - face.low[face.axis];
-        if (at_rest && std::fabs(gap) >= face.repulsion.range) continue;  // most of them
-        Vec3 place{};
-        for (std::size_t k = 0; k < axes; ++k) place[k] = position[k][i];
-        PushOnParticle const push = push_of(walls, face, store.dimension(), place);
-        if (push.stiffness == 0.0) continue;
+    for (std::size_t i = begin; i < end; ++i) {
+      Vec3 place{}, speed{};
+      for (std::size_t k = 0; k < axes; ++k) {
+        place[k] = position[k][i];
+        speed[k] = velocity[k][i];
+      }
+      for (WallFace const& face : walls.faces) {
+        auto const& [strength, range] = face.repulsion;
+        if (!(strength > 0.0) || !is_near(walls, face, dimension, place, speed, ahead)) continue;
+        PushOnParticle const push = push_of(walls, face, dimension, place);
         for (std::size_t k = 0; k < axes; ++k) acceleration[k][i] += push.acceleration[k];
         sum.include({scale(mass[i], push.acceleration), mass[i] * push.power,
-                     mass[i] * push.potential, push.stiffness, i});
+                     mass[i] * push.potential,
+                     std::max(push.stiffness, stiffness_at_range(strength, range)), i});
       }
     }
     return sum;

@@ -83,13 +83,13 @@ TEST_P(MirrorWalls, TellTheirImpulseAndKeepTheEnergy) {
     for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k) {
       EXPECT_NEAR(after.momentum[k] - before.momentum[k], after.wall_impulse[k],
                   1e-11 * scale_of_momentum(after));
-      EXPECT_GT(std::fabs(after.wall_impulse[k]), 1e-3 * scale_of_momentum(after));
+      EXPECT_GT(std::fabs(after.wall_impulse[k]), 1e-4 * scale_of_momentum(after));
     }
     EXPECT_EQ(simulation.lost().count, 0u);
     return std::fabs(after.total_energy() - before.total_energy()) / after.kinetic_energy;
   };
   double const coarse = drift(0), fine = drift(1);
-  EXPECT_LE(coarse, 1e-3);
+  EXPECT_LE(coarse, 5e-3);  // of a charge that goes off among particles that were stirred
   EXPECT_LE(fine, 0.35 * coarse + 1e-9);  // a quarter, where the error is all of second order
 }
 
@@ -201,7 +201,7 @@ TEST(MirrorWall, FreeSlipHalvesDoWhatTheWholeDoes) {
       a.advance();
       b.advance();
     }
-    ASSERT_EQ(a.sums().mass * std::pow(2.0, dimension) / b.sums().mass, 1.0);
+    ASSERT_NEAR(a.sums().mass * std::pow(2.0, dimension) / b.sums().mass, 1.0, 1e-12);
     auto const all = states(b);
     double worst = 0.0;
     for (State const& state : states(a)) {
