@@ -14,6 +14,7 @@ namespace moraine {
 
 // One folder each below verify/; the function is defined in its check.cpp.
 std::vector<CheckResult> check_sod(Effort effort);
+std::vector<CheckResult> check_toro(Effort effort);
 std::vector<CheckResult> check_water_hugoniot(Effort effort);
 std::vector<CheckResult> check_momentum_double(Effort effort);
 std::vector<CheckResult> check_momentum_mixed(Effort effort);
@@ -29,6 +30,8 @@ namespace {
 
 constexpr std::array all_checks{
     Check{"sod", "a shock tube agrees with the exact solution and converges to it", check_sod},
+    Check{"toro", "five shock tubes, up to a hundred thousandfold jump of pressure, converge",
+          check_toro},
     Check{"water-hugoniot",
           "shocks in water have the speed, pressure and density of the jump "
           "conditions",

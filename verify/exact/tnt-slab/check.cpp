@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,35 +15,13 @@
 #include "setup/build_model.hpp"
 #include "step/simulation.hpp"
 #include "verify/l1_errors.hpp"
+#include "verify/profile.hpp"
 #include "verify/shipped_cases.hpp"
 
 namespace moraine {
 namespace {
 
 constexpr double thickness = 0.1;  // m
-
-/// Farthest place where the pressure is above `least` [m].
-double front(Simulation const& simulation, double least) {
-  ParticleStore const& store = simulation.particles();
-  auto const x = store.component(Field::position, 0);
-  auto const p = store.scalar(Field::pressure);
-  double most = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i)
-    if (p[i] > least) most = std::max(most, x[i]);
-  return most;
-}
-
-double mean_pressure(Simulation const& simulation, double below) {
-  ParticleStore const& store = simulation.particles();
-  double sum = 0.0, volume = 0.0;
-  for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i) {
-    if (!(store.component(Field::position, 0)[i] < below)) continue;
-    double const own = store.scalar(Field::mass)[i] / store.scalar(Field::density)[i];
-    sum += own * store.scalar(Field::pressure)[i];
-    volume += own;
-  }
-  return sum / volume;
-}
 
 struct Detonated {
   double speed = 0.0;  // m/s, of the front on its way from 3 to 9 cm
@@ -62,7 +39,7 @@ Detonated detonate(Case slab, double spacing, TaylorWave const& exact) {
   double near_time = 0.0, near = 0.0, far_time = 0.0, far = 0.0;
   while (simulation.running()) {
     simulation.advance();
-    double const at = front(simulation, half);
+    double const at = front_of_pressure(simulation, half);
     if (at < 0.03) near_time = simulation.time(), near = at;
     if (at < 0.09) far_time = simulation.time(), far = at;
   }
@@ -70,7 +47,7 @@ Detonated detonate(Case slab, double spacing, TaylorWave const& exact) {
   auto const p = simulation.particles().scalar(Field::pressure);
   return {
       (far - near) / (far_time - near_time),
-      mean_pressure(simulation, 0.9 * exact.rest_speed() * time),
+      mean_between(simulation, Field::pressure, 0.0, 0.9 * exact.rest_speed() * time),
       *std::max_element(p.begin(), p.end()),
       std::fabs(simulation.sums().total_energy() - energy) / energy,
       l1_errors(simulation, FlowCoordinate::x, [&](double x) { return exact.sample(x / time); })};
