@@ -25,6 +25,7 @@ std::vector<CheckResult> check_martin_moyce_front(Effort effort);
 std::vector<CheckResult> check_tnt_in_water(Effort effort);
 std::vector<CheckResult> check_tnt_kernels(Effort effort);
 std::vector<CheckResult> check_tnt_slab(Effort effort);
+std::vector<CheckResult> check_tnt_water_interface(Effort effort);
 
 namespace {
 
@@ -59,6 +60,9 @@ constexpr std::array all_checks{
     Check{"tnt-slab",
           "a slab of explosive burns behind a Chapman-Jouguet front, or expands as burnt at once",
           check_tnt_slab},
+    Check{"tnt-water-interface",
+          "a detonation, and products burnt at once, send into water what the jump conditions say",
+          check_tnt_water_interface},
 };
 
 }  // namespace
