@@ -22,10 +22,13 @@ std::vector<CheckResult> check_energy_order(Effort effort);
 std::vector<CheckResult> check_hydrostatic_pressure(Effort effort);
 std::vector<CheckResult> check_sloshing(Effort effort);
 std::vector<CheckResult> check_martin_moyce_front(Effort effort);
+std::vector<CheckResult> check_noh(Effort effort);
+std::vector<CheckResult> check_sedov(Effort effort);
 std::vector<CheckResult> check_tnt_in_water(Effort effort);
 std::vector<CheckResult> check_tnt_kernels(Effort effort);
 std::vector<CheckResult> check_tnt_slab(Effort effort);
 std::vector<CheckResult> check_tnt_water_interface(Effort effort);
+std::vector<CheckResult> check_negative_controls(Effort effort);
 
 namespace {
 
@@ -49,6 +52,9 @@ constexpr std::array all_checks{
           check_sloshing},
     Check{"martin-moyce-front", "the front of a dam break advances as measured",
           check_martin_moyce_front},
+    Check{"noh", "cold gas that implodes is stopped behind the exact shock", check_noh},
+    Check{"sedov", "a point blast has the radius and the profile of the exact solution",
+          check_sedov},
     Check{"tnt-in-water",
           "an explosion keeps energy, momentum and symmetry, and its shock is possible",
           check_tnt_in_water},
@@ -63,6 +69,9 @@ constexpr std::array all_checks{
     Check{"tnt-water-interface",
           "a detonation, and products burnt at once, send into water what the jump conditions say",
           check_tnt_water_interface},
+    Check{"negative-controls",
+          "without viscosity, and with constant smoothing lengths in expansion, errors stay",
+          check_negative_controls},
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "verify/l1_errors.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "setup/build_model.hpp"
@@ -50,8 +52,16 @@ L1Errors l1_errors(Simulation const& simulation, FlowCoordinate coordinate,
           error.pressure / size.pressure};
 }
 
-double order_of_halving(double coarse_error, double fine_error) {
-  return std::log2(coarse_error / fine_error);
+std::string in_words(SpacingPair const& spacings) {
+  return fmt::format("at {:g} and {:g} mm", 1e3 * spacings.coarse, 1e3 * spacings.fine);
+}
+
+double convergence_order(double coarse_error, double fine_error, double ratio) {
+  return std::log(coarse_error / fine_error) / std::log(ratio);
+}
+
+double first_order_limit(double coarse, double fine, double ratio) {
+  return fine + (fine - coarse) / (ratio - 1.0);
 }
 
 Simulation run_to_end(Case const& c) {

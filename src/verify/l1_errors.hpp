@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "exact/flow_state.hpp"
 #include "setup/case.hpp"
@@ -28,8 +29,21 @@ using ExactFlow = std::function<std::optional<FlowState>(double)>;
 /// Errors of the fluid as it is now.
 L1Errors l1_errors(Simulation const& simulation, FlowCoordinate coordinate, ExactFlow const& exact);
 
-/// Order of convergence when the spacing is halved.
-double order_of_halving(double coarse_error, double fine_error);
+/// Two spacings [m] that a check compares.
+struct SpacingPair {
+  double coarse = 0.0;
+  double fine = 0.0;
+  double ratio() const { return coarse / fine; }
+};
+
+/// "at 20 and 10 mm".
+std::string in_words(SpacingPair const& spacings);
+
+/// Order of convergence between two spacings, the coarse one `ratio` times the fine one.
+double convergence_order(double coarse_error, double fine_error, double ratio = 2.0);
+
+/// The limit of values at these spacings whose error is of first order.
+double first_order_limit(double coarse, double fine, double ratio = 2.0);
 
 /// The case, run to its end.
 Simulation run_to_end(Case const& c);

@@ -27,7 +27,7 @@ std::vector<L1Errors> errors_at(std::vector<double> const& spacings, Case tube) 
 }
 
 double order(std::vector<L1Errors> const& errors, std::size_t k) {
-  return order_of_halving(errors[k - 1].density, errors[k].density);
+  return convergence_order(errors[k - 1].density, errors[k].density);
 }
 
 /// Smoothing lengths of two spacings, which the expanding gas outgrows unless they follow it.

@@ -121,7 +121,7 @@ void add_tube(ShockTube const& tube, double spacing, std::vector<CheckResult>& r
   results.push_back(at_most(name + ": density", fine.density, 0.03, "-", at));
   results.push_back(at_most(name + ": velocity", fine.velocity, 0.03, "-", at));
   results.push_back(at_most(name + ": pressure", fine.pressure, 0.03, "-", at));
-  results.push_back(compare(name + ": order", order_of_halving(coarse.density, fine.density), 0.8,
+  results.push_back(compare(name + ": order", convergence_order(coarse.density, fine.density), 0.8,
                             0.3, "-", density_errors(coarse, fine, spacing)));
   if (name == "toro-5") results.push_back(behind_fast_shock(tube, simulation));
 }
@@ -136,7 +136,7 @@ void add_controls(ShockTube const& tube, double spacing, std::vector<CheckResult
     };
     L1Errors const coarse = changed(2.0 * spacing), fine = changed(spacing);
     results.push_back(at_most(fmt::format("{}: order, {}: none", tube.name, what),
-                              order_of_halving(coarse.density, fine.density), 0.25, "-",
+                              convergence_order(coarse.density, fine.density), 0.25, "-",
                               density_errors(coarse, fine, spacing)));
   };
   add("volume form", [](Numerics& numerics) { numerics.continuity = ContinuityForm::volume; });
