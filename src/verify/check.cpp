@@ -53,7 +53,7 @@ constexpr std::array all_checks{
     Check{"martin-moyce-front", "the front of a dam break advances as measured",
           check_martin_moyce_front},
     Check{"noh", "cold gas that implodes is stopped behind the exact shock", check_noh},
-    Check{"sedov", "a point blast has the radius and the profile of the exact solution",
+    Check{"sedov", "a plane blast comes to the exact radius; where others fail, it is seen",
           check_sedov},
     Check{"tnt-in-water",
           "an explosion keeps energy, momentum and symmetry, and its shock is possible",
