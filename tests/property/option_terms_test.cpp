@@ -222,7 +222,8 @@ class OptionTerm : public testing::TestWithParam<Variant> {
     Search search(search_settings(model));
     search.refresh(model.particles);
     auto const backend = make_options_of(model);
-    return backend->sweep(model.particles, search, model.walls, 0.0);
+    backend->gather(model.particles, search, model.walls, 0.0);
+    return backend->sweep(model.particles, search);
   }
 
   // Rounding of one number times the cancellation of pair sums; measured below 2e-5 (corrections
