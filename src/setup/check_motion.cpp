@@ -183,6 +183,12 @@ Box swept_box(WallSpec const& wall, Case const& c) {
       swept = around(swept, {place, place});
     }
   }
+  // Along a periodic axis a wall that does not turn comes in again where it leaves.
+  for (std::size_t axis = 0; axis < axes && !wall.motion.motion->rotation.given(); ++axis) {
+    if (!c.periodic[axis]) continue;
+    swept.min[axis] = box.min[axis];
+    swept.max[axis] = box.max[axis];
+  }
   return swept;
 }
 

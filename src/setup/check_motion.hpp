@@ -18,7 +18,7 @@ void check_motion(WallSpec& wall, std::string const& key, Case const& c, Source&
 double end_of_wall(Case const& c, WallSpec const& wall);
 
 /// The box around all places of a wall as long as it is there; between 1000 instants the motion is
-/// not looked at.
+/// not looked at. Along a periodic axis that of the wall at rest, unless it turns.
 Box swept_box(WallSpec const& wall, Case const& c);
 
 }  // namespace moraine

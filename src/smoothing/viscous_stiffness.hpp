@@ -30,6 +30,12 @@ double viscous_stiffness(AnyKernel<D> const& kernel) {
   return sum / D;
 }
 
+inline double viscous_stiffness(KernelName kernel, int dimension) {
+  if (dimension == 1) return viscous_stiffness(AnyKernel<1>(kernel));
+  if (dimension == 2) return viscous_stiffness(AnyKernel<2>(kernel));
+  return viscous_stiffness(AnyKernel<3>(kernel));
+}
+
 /// The factor of alpha c + beta |mu| in the signal speed: the usual 0.6 of Monaghan, Annu. Rev.
 /// Astron. Astrophys. 30 (1992) 543, section 4, where K is up to 2.3, about that of the cubic
 /// spline in 1D; the rise with the square of K beyond is our own choice. A charge in water in 1D

@@ -171,6 +171,8 @@ void Simulation::gather() { pairs_->gather_fluid(model_.particles, search_, pred
 
 void Simulation::continue_into_walls() {
   pairs_->gather_walls(model_.particles, search_, model_.walls);
+  if (options_ && option_parameters_.any())
+    options_->gather(model_.particles, search_, model_.walls, predict_by());
 }
 
 LostParticles Simulation::lost() const {

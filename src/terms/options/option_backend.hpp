@@ -35,11 +35,15 @@ class OptionBackend {
   virtual void sum_densities(ParticleStore& store, Search const& search, WallData const& walls,
                              bool normalised) = 0;
 
+  /// Copies what the terms read: the state predicted by `ahead` seconds, as in
+  /// PairBackend::gather_fluid. Wall particles have been filled; the rates of the store are still
+  /// those of the last step, so this comes before the main sweep.
+  virtual void gather(ParticleStore const& store, Search const& search, WallData const& walls,
+                      double ahead) = 0;
+
   /// Adds all optional terms to acceleration, density_rate and energy_rate, and sets drift where
-  /// the particles have it. State predicted by `ahead` seconds, as in PairBackend::gather_fluid;
-  /// wall particles have been filled.
-  virtual OptionOutcome sweep(ParticleStore& store, Search const& search, WallData const& walls,
-                              double ahead) = 0;
+  /// the particles have it; after the main sweep.
+  virtual OptionOutcome sweep(ParticleStore& store, Search const& search) = 0;
 
   /// Adds what the last sweep put on the fluid to the loads of PairBackend::loads_on_walls, and of
   /// loads_on_mirrors.

@@ -56,9 +56,14 @@ class OptionBackendImpl final : public OptionBackend {
     for_each_particle([&](std::size_t i) { density[i] = scratch_[i]; });
   }
 
-  OptionOutcome sweep(ParticleStore& store, Search const& search, WallData const& walls,
-                      double ahead) override {
-    gather(store, search, walls, ahead);
+  void gather(ParticleStore const& store, Search const& search, WallData const& walls,
+              double ahead) override {
+    sweep_.position_scale = search.settings().fixed_point.scale;
+    records_.gather_fluid(store, search, ahead);
+    records_.gather_walls(store, search, walls);
+  }
+
+  OptionOutcome sweep(ParticleStore& store, Search const& search) override {
     if (options_.viscosity != ViscosityForm::off) show_fluid_to_walls(search);
     clear_drift(store);
     if constexpr (has_gradients) {
@@ -94,13 +99,6 @@ class OptionBackendImpl final : public OptionBackend {
   }
 
  private:
-  void gather(ParticleStore const& store, Search const& search, WallData const& walls,
-              double ahead) {
-    sweep_.position_scale = search.settings().fixed_point.scale;
-    records_.gather_fluid(store, search, ahead);
-    records_.gather_walls(store, search, walls);
-  }
-
   template <class Use>
   void for_each_particle(Use&& use) const {
     for_each_block(records_.fluid.owned(), NeighbourList::block,

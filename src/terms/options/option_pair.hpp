@@ -13,7 +13,6 @@ struct OptionPair {
   Real h;          // smoothing length of the pair [m]
   Real kernel;     // W_ij [1/m^d]
   Real gradient;   // grad_i W_ij = gradient * x [1/m^(d+2)]
-  Real inverse2;   // 1 / (r^2 + phi^2) [1/m^2], phi = 0.1 h
 };
 
 /// Sums of one particle. Unlike the terms of the main sweep these make force and heat themselves:

@@ -45,7 +45,6 @@ MORAINE_FORMULA OptionPair<Real, D> option_pair(OptionConstants<Real, D> const& 
   Real const q = square_root(pair.distance2 * scale.inverse_h2);
   pair.kernel = scale.gradient_factor * pair.h * pair.h * constants.kernel.shape(q);
   pair.gradient = scale.gradient_factor * constants.kernel.slope_over_q(q);
-  pair.inverse2 = number<Real>(1) / (pair.distance2 + scale.softening2);
   return pair;
 }
 

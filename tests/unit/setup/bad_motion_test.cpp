@@ -108,6 +108,15 @@ INSTANTIATE_TEST_SUITE_P(
             tank,
             "case.toml:5:12: space.symmetry: [\"x-\"] makes a plane of x-, but x is periodic"}));
 
+TEST(Motion, GoesOnAlongAPeriod) {
+  std::string const domain = "periodic = [\"x\"]\ndomain = { min = [0, -1], max = [2, 3] }";
+  EXPECT_NO_THROW(
+      parse_case(text_of(domain, tank + "motion.translation = [\"5*t\", \"0\"]"), "case.toml"));
+  EXPECT_NE(error_of(text_of(domain, tank + "motion.translation = [\"0\", \"5*t\"]"))
+                .find("out of the domain"),
+            std::string::npos);
+}
+
 TEST(Motion, MattersAsLongAsTheWallIsThere) {
   std::string const gate =
       "name = \"gate\"\nsolid = { min = [2, 0], max = [2.4, 2] }\n"
