@@ -35,7 +35,9 @@ void find_rates(Model& model) {
   pairs->gather_fluid(model.particles, search, 0.0);
   pairs->gather_walls(model.particles, search, model.walls);
   pairs->sweep(model.particles, search);
-  make_options_of(model)->sweep(model.particles, search, model.walls, 0.0);
+  auto const options = make_options_of(model);
+  options->gather(model.particles, search, model.walls, 0.0);
+  options->sweep(model.particles, search);
 }
 
 /// Whether a particle lies `reach` smoothing lengths from the sides of the domain.
