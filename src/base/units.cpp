@@ -27,7 +27,7 @@ constexpr std::array<QuantityInfo, quantity_count> quantities{{
     {Quantity::angle, "an angle", "rad", {"rad", "deg"}},
     {Quantity::angular_velocity, "an angular velocity", "rad/s", {"rad/s", "deg/s", "rpm"}},
     {Quantity::frequency, "a frequency", "Hz", {"Hz", "kHz"}},
-    {Quantity::dynamic_viscosity, "a dynamic viscosity", "Pa s", {"Pa s", "mPa s", "P"}},
+    {Quantity::dynamic_viscosity, "a dynamic viscosity", "Pa s", {"Pa s", "mPa s"}},
 }};
 
 static_assert(
