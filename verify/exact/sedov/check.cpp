@@ -140,7 +140,7 @@ std::vector<CheckResult> check_sedov(Effort effort) {
   using enum ContinuityForm;
   std::vector<CheckResult> results;
   for (Setting const& setting :
-       {Setting{FlowGeometry::planar, "plane", 2.0, mass, 0.1, {10e-3, 5e-3}, {20e-3, 10e-3}},
+       {Setting{FlowGeometry::planar, "plane", 2.0, mass, 0.1, {10e-3, 5e-3}, {10e-3, 5e-3}},
         Setting{FlowGeometry::cylindrical,
                 "cylinder",
                 1.3,

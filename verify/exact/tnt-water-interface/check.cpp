@@ -123,11 +123,12 @@ std::vector<CheckResult> check_tnt_water_interface(Effort effort) {
   Case const c = shipped_case("tnt-water-slab");
   Jwl const tnt = std::get<Jwl>(c.materials[0].eos);
   WaterPolynomial const water = std::get<WaterPolynomial>(c.materials[1].eos);
-  RiemannSide const at_rest{water, water.reference_density, 0.0, water.reference_energy};
+  RiemannSide const at_rest{water, water.reference_density, 0.0,
+                            c.regions[1].initial.specific_energy.value()};
   FlowState const cj = chapman_jouguet({tnt, tnt.reference_density, tnt.reference_energy}).behind;
   RiemannProblem const arrival({tnt, cj.density, cj.velocity, cj.specific_energy}, at_rest);
   RiemannProblem const burnt({tnt, tnt.reference_density, 0.0, tnt.reference_energy}, at_rest);
-  double const finest = effort == Effort::full ? 0.05e-3 : 0.075e-3;
+  double const finest = effort == Effort::full ? 0.025e-3 : 0.05e-3;
   auto results = detonation(c, arrival, {4.0 * finest, 2.0 * finest, finest});
   for (CheckResult& result : instantaneous(c, burnt, 0.1e-3)) results.push_back(std::move(result));
   return results;
