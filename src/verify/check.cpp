@@ -66,6 +66,13 @@ CheckResult compare(std::string name, double measured, double reference, double 
   return {std::move(name), measured, reference, tolerance, std::move(unit), pass, std::move(note)};
 }
 
+CheckResult skip(std::string name, std::string why) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  CheckResult result = compare(std::move(name), nothing, nothing, nothing, "-", std::move(why));
+  result.skipped = true;
+  return result;
+}
+
 CheckResult at_most(std::string name, double measured, double limit, std::string unit,
                     std::string note) {
   return compare(std::move(name), measured, 0.0, limit, std::move(unit), std::move(note));
