@@ -24,6 +24,8 @@ std::vector<CheckResult> check_martin_moyce_front(Effort effort);
 std::vector<CheckResult> check_tnt_in_water(Effort effort);
 std::vector<CheckResult> check_tnt_kernels(Effort effort);
 std::vector<CheckResult> check_tnt_slab(Effort effort);
+std::vector<CheckResult> check_undex_cole(Effort effort);
+std::vector<CheckResult> check_kleefsman(Effort effort);
 
 namespace {
 
@@ -56,6 +58,10 @@ constexpr std::array all_checks{
     Check{"tnt-slab",
           "a slab of explosive burns behind a Chapman-Jouguet front, or expands as burnt at once",
           check_tnt_slab},
+    Check{"undex-cole", "the shock of a sphere of TNT in water has the peaks that were measured",
+          check_undex_cole},
+    Check{"kleefsman", "a dam break hits a box as measured, and the water comes back as measured",
+          check_kleefsman},
 };
 
 }  // namespace

@@ -40,7 +40,8 @@ void advance(Simulation& simulation, int steps, int threads) {
 class Resume : public testing::TestWithParam<std::string> {
  protected:
   /// A shipped case, or "NAME+shaken" with its walls shaken hard, "NAME+quarter" with two planes,
-  /// "NAME+rate" and "NAME+density" with smoothing lengths that vary.
+  /// "NAME+rate" and "NAME+density" with smoothing lengths that vary, "NAME+coarse" with twice the
+  /// spacing.
   Model model() const {
     auto const [name, variant] = parts();
     Case c = read_case(std::string(MORAINE_SOURCE_DIR "/cases/") + name + "/case.toml");
@@ -51,6 +52,7 @@ class Resume : public testing::TestWithParam<std::string> {
       c.domain.min[0] -= 0.5;
       c.domain.max[0] += 0.5;
     }
+    if (variant == "coarse") c.numerics.spacing *= 2.0;
     if (variant == "rate") c.numerics.smoothing.mode = SmoothingMode::rate;
     if (variant == "density") c.numerics.smoothing.mode = SmoothingMode::density;
     for (std::size_t axis = 0; variant == "quarter" && axis < 2; ++axis) {
@@ -99,7 +101,8 @@ INSTANTIATE_TEST_SUITE_P(Cases, Resume,
                          testing::Values("tnt-in-water", "dam-break-2d", "dam-break-3d",
                                          "hydrostatic-tank", "sod", "sloshing-tank",
                                          "sloshing-tank+shaken", "tnt-in-water+quarter", "tnt-slab",
-                                         "tnt-in-water+rate", "sod+density"),
+                                         "tnt-in-water+rate", "sod+density", "undex-cole+coarse",
+                                         "kleefsman"),
                          [](auto const& test) {
                            std::string name = test.param;
                            for (char& letter : name)
