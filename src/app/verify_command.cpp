@@ -37,8 +37,8 @@ int run_verify(VerifyOptions const& options) {
     fmt::print("{}\n", to_json(all).dump(2));
   else
     fmt::print("{}\n", summary(all));
-  bool const passed = std::ranges::all_of(all, [](CheckResult const& r) { return r.pass; });
-  return passed ? ExitCode::done : ExitCode::failed;
+  bool const failed = std::ranges::any_of(all, [](CheckResult const& r) { return r.failed(); });
+  return failed ? ExitCode::failed : ExitCode::done;
 }
 
 }  // namespace moraine

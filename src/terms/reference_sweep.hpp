@@ -56,7 +56,9 @@ void reference_sum(SweepParameters const& parameters, Self const& self,
       bool const has_face = length2 > 0.5;
       if (has_face && wall_depth(neighbour) > 0.0) pair.approach = ahead * speed;
       bool const in_front = ahead > 0.0 && pair.distance2 < 2.0 * ahead * ahead;
-      pair.gap = in_front ? ahead - std::fabs(wall_depth(neighbour)) : 1e6;
+      double const radius = std::fabs(wall_depth(neighbour));
+      pair.gap = in_front ? ahead - radius : 1e6;
+      if (!has_face) pair.gap = std::sqrt(pair.distance2) - radius;
     }
     pair.mean_density = 0.5 * (density(self) + density(neighbour));
     pair.inverse = 1.0 / ((pair.distance2 + 0.01 * h * h) * pair.mean_density);

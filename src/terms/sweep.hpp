@@ -147,10 +147,13 @@ MORAINE_FORMULA void look_at_wall(Neighbour const& lanes, Real const (&v)[D], Pa
   Real const slipping = ahead * speed + (number<Real>(1) - length2) * pair.approach;
   pair.approach = select(zero < depth, slipping, pair.approach);
   // A wall particle speaks for its face only within 45 degrees of the normal: beside an edge the
-  // plane of the other face means nothing.
+  // plane of the other face means nothing. One without a normal, behind the edge, speaks for the
+  // ball about it that reaches to the faces.
+  Real const radius = maximum(depth, -depth);
   Real const outward = maximum(ahead, zero);
-  pair.gap = select(pair.distance2 < number<Real>(2) * outward * outward,
-                    ahead - maximum(depth, -depth), number<Real>(1e6));
+  Real const of_face = select(pair.distance2 < number<Real>(2) * outward * outward, ahead - radius,
+                              number<Real>(1e6));
+  pair.gap = select(length2 < number<Real>(0.5), square_root(pair.distance2) - radius, of_face);
 }
 
 /// Adds the neighbours in one list to `sum`. A wall has no internal energy: its pairs keep all of

@@ -18,8 +18,8 @@ namespace moraine {
 /// energies does not change. It is zero for gaps above gap_0: material compressed more than twofold
 /// along the normal comes that near and is pushed harder than its pressure says. Own choice: the
 /// repulsion by distance of Monaghan, J. Comput. Phys. 110 (1994) 399, section 4, pushes at rest
-/// and varies along the wall. Wall particles behind edges and corners have no face and take no
-/// part.
+/// and varies along the wall. Wall particles behind edges and corners have no face: gap_i is the
+/// distance to the ball about them that reaches to the faces, and is nothing but solid.
 template <class Real>
 struct WallContact {
   Real inverse_gap;  // 1 / gap_0 [1/m]

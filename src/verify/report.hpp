@@ -11,13 +11,14 @@ namespace moraine {
 
 enum class Colour { none, terminal };
 
-/// Aligned lines, one per result: verdict, name, measured, reference, tolerance, unit, note.
+/// Aligned lines, one per result: verdict, name, measured, reference, tolerance, unit, note; of
+/// what was skipped the name and the reason.
 std::string results_table(std::span<CheckResult const> results, Colour colour);
 
 /// A list of objects with the members of CheckResult as keys; what is not a number is null.
 nlohmann::ordered_json to_json(std::span<CheckResult const> results);
 
-/// "12 of 13 results pass", and the names of those that do not.
+/// "12 of 13 results pass", and the names of those that do not and of those that were skipped.
 std::string summary(std::span<CheckResult const> results);
 
 }  // namespace moraine

@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(All, ThrownAtWall, testing::ValuesIn(throws),
                          [](auto const& at) { return std::string(at.param.name); });
 
 // A particle that remembers twice its volume has no pressure to stop it before the face: the
-// contact does, within its gap of a quarter of a spacing. Edges and corners have no contact.
+// contact does, within its gap of a quarter of a spacing.
 TEST(WallContact, StopsParticlesWithoutPressure) {
   int faces = 0;
   for (Throw const& at : throws) {
@@ -166,6 +166,25 @@ TEST(WallContact, ActsWithinItsGapOnly) {
       for (int axis = 0; axis < dimension; ++axis)
         EXPECT_LE(std::fabs(store.component(Field::acceleration, axis)[0]), up) << gap;
     }
+}
+
+// The strip beside an edge of a block is too far from the wall particles that know the face. The
+// wall particle behind the edge, 10 mm from both faces, stands for the ball about it that touches
+// them.
+TEST(WallContact, ActsBesideEdges) {
+  for (int const dimension : {2, 3})
+    for (double const inside : {0.0, 0.002, 0.004, 0.008})
+      for (double const height : {0.001, 0.004, 0.012}) {
+        Point const place{0.1 - inside, 0.1 + height, 0.01};
+        double const gap = std::hypot(place[0] - 0.09, place[1] - 0.09) - 0.01;
+        Simulation const simulation(thrown(dimension, WallForm::solid, place, {}));
+        ParticleStore const& store = simulation.particles();
+        ASSERT_EQ(store.scalar(Field::pressure)[0], 0.0);
+        SCOPED_TRACE(std::to_string(dimension) + "D, inside " + std::to_string(inside) + " above " +
+                     std::to_string(height));
+        EXPECT_EQ(store.component(Field::acceleration, 1)[0] > 0.0, gap < 0.005);
+        EXPECT_GE(store.component(Field::acceleration, 0)[0], 0.0) << "outwards";
+      }
 }
 
 }  // namespace

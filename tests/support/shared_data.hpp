@@ -1,30 +1,24 @@
 // Measurements of others, which stand beside the project and are no part of it.
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "verify/reference_data.hpp"
+
 namespace moraine {
 
-/// A file of the reference data: in the folder that MORAINE_REFERENCE_DATA names, else in
-/// ../shared/data beside the sources. Empty where it is not there:
+/// A file of reference_data.hpp, beside the sources. Empty where it is not there:
 ///   auto const file = shared_data("seismic/NAME.csv");
 ///   if (file.empty()) GTEST_SKIP() << no_shared_data;
 inline std::filesystem::path shared_data(std::string const& name) {
-  char const* const told = std::getenv("MORAINE_REFERENCE_DATA");
-  std::filesystem::path const folder =
-      told != nullptr ? std::filesystem::path(told)
-                      : std::filesystem::path(MORAINE_SOURCE_DIR).parent_path() / "shared" / "data";
-  std::filesystem::path const file = folder / name;
-  return std::filesystem::exists(file) ? file : std::filesystem::path();
+  return reference_data(name, MORAINE_SOURCE_DIR);
 }
 
-inline constexpr char const* no_shared_data =
-    "the reference data are not here; MORAINE_REFERENCE_DATA may name their folder";
+inline constexpr char const* no_shared_data = no_reference_data;
 
 /// Cells of a CSV file by rows, the header line first.
 inline std::vector<std::vector<std::string>> shared_rows(std::filesystem::path const& file) {

@@ -1,8 +1,12 @@
 #include "verify/check.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -10,6 +14,7 @@
 #include <vector>
 
 #include "base/input_error.hpp"
+#include "verify/reference_data.hpp"
 #include "verify/report.hpp"
 #include "verify/shipped_cases.hpp"
 
@@ -67,6 +72,15 @@ TEST(Check, WhatThrowsDoesNotPass) {
   EXPECT_EQ(results[0].note, "pipe burst");
 }
 
+TEST(Check, WhatIsSkippedNeitherPassesNorFails) {
+  CheckResult const result = skip("a", "no data");
+  EXPECT_FALSE(result.pass);
+  EXPECT_FALSE(result.failed());
+  EXPECT_TRUE(std::isnan(result.measured));
+  EXPECT_TRUE(compare("a", 2.0, 1.0, 0.1, "-", "").failed());
+  EXPECT_FALSE(compare("a", 1.0, 1.0, 0.1, "-", "").failed());
+}
+
 // One fast check of the suite, so that a registry of wrong functions would show.
 TEST(Check, MomentumRuns) {
   auto const results = run_check(*find_check("momentum-double"), Effort::quick);
@@ -86,7 +100,7 @@ TEST(Report, JsonHasOneObjectPerResult) {
   ASSERT_EQ(json.size(), 2u);
   for (auto const& object : json)
     for (char const* const key :
-         {"name", "measured", "reference", "tolerance", "unit", "pass", "note"})
+         {"name", "measured", "reference", "tolerance", "unit", "pass", "skipped", "note"})
       EXPECT_TRUE(object.contains(key)) << key;
   EXPECT_EQ(json[0]["name"], "a");
   EXPECT_EQ(json[0]["measured"], 1.5);
@@ -106,6 +120,36 @@ TEST(Report, TableAndSummaryNameWhatFails) {
   EXPECT_EQ(plain.find('\033'), std::string::npos);
   EXPECT_NE(results_table(results, Colour::terminal).find("\033[31mFAIL"), std::string::npos);
   EXPECT_EQ(summary(results), "1 of 2 results pass; not: bad");
+}
+
+TEST(Report, TableAndSummaryNameWhatWasSkipped) {
+  std::vector<CheckResult> const results{compare("good", 1.0, 1.0, 0.1, "Pa", ""),
+                                         skip("absent", "no data here")};
+  EXPECT_NE(results_table(results, Colour::none).find("skip  absent  no data here\n"),
+            std::string::npos);
+  EXPECT_NE(results_table(results, Colour::terminal).find("\033[33mskip"), std::string::npos);
+  EXPECT_EQ(summary(results), "1 of 1 results pass; skipped: absent");
+  EXPECT_EQ(to_json(results)[1]["skipped"], true);
+}
+
+TEST(ReferenceData, IsWhereTheEnvironmentSaysOrBesideTheFolder) {
+  auto const root =
+      std::filesystem::temp_directory_path() / ("moraine_reference_" + std::to_string(getpid()));
+  std::filesystem::create_directories(root / "shared" / "data" / "sub");
+  std::ofstream(root / "shared" / "data" / "sub" / "a.csv") << "a\n";
+  char const* const told = std::getenv("MORAINE_REFERENCE_DATA");
+  std::string const before = told == nullptr ? "" : told;
+  unsetenv("MORAINE_REFERENCE_DATA");
+  EXPECT_EQ(reference_data("sub/a.csv", root / "sources"), root / "shared" / "data" / "sub/a.csv");
+  EXPECT_TRUE(reference_data("sub/b.csv", root / "sources").empty());
+  setenv("MORAINE_REFERENCE_DATA", (root / "shared").c_str(), 1);
+  EXPECT_TRUE(reference_data("sub/a.csv", root / "sources").empty());
+  EXPECT_EQ(reference_data("data/sub/a.csv", root / "x"), root / "shared" / "data/sub/a.csv");
+  if (told != nullptr)
+    setenv("MORAINE_REFERENCE_DATA", before.c_str(), 1);
+  else
+    unsetenv("MORAINE_REFERENCE_DATA");
+  std::filesystem::remove_all(root);
 }
 
 TEST(ShippedCases, AllReadAndOneIsNotThere) {
