@@ -56,6 +56,10 @@ class Search {
   /// fast they wear out decides about the next skins. Positions of any size are allowed.
   bool lists_hold(ParticleStore const& store);
 
+  /// Particles that have passed a mirror wall turn round: at once, in each step, since gravity may
+  /// point at the wall and is not mirrored beyond it. Lists do not mind: it is a short way.
+  void return_from_walls(ParticleStore& store);
+
   /// Sorts the store by cells and makes the lists anew; particles that passed a periodic side or a
   /// symmetry plane come back in. Particles must lie inside the domain along all other sides.
   void rebuild(ParticleStore& store);

@@ -1,9 +1,16 @@
 // Images at the sides of the domain, and particles that have passed a side.
 #include <cmath>
+#include <limits>
 
+#include "base/parallel_for.hpp"
 #include "search/search.hpp"
 
 namespace moraine {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 /// Where an image would be inside of the domain now, the particle changes places with it.
 void Search::bring_back(ParticleStore& store, Kind kind) {
@@ -21,26 +28,43 @@ void Search::bring_back(ParticleStore& store, Kind kind) {
   }
 }
 
-/// Particles beyond planes come back as their images. At a no-slip wall too only what points across
-/// the wall is reversed: it is the particle that comes back, not its image.
+/// Particles beyond planes of an axis come back as their images. At a no-slip wall too only what
+/// points across the wall is reversed: it is the particle that comes back, not its image.
 void Search::swap_with_images(ParticleStore& store, std::size_t axis) {
   DomainSides const& sides = settings_.sides;
-  Range const range = store.range(Kind::fluid);
   auto position = store.component(Field::position, static_cast<int>(axis));
   auto velocity = store.component(Field::velocity, static_cast<int>(axis));
   auto acceleration = store.component(Field::acceleration, static_cast<int>(axis));
-  for (std::size_t i = range.begin; i < range.end; ++i) {
-    bool const below = sides.reflects(axis, 0) && position[i] < sides.low[axis];
-    bool const above =
-        sides.reflects(axis, 1) && position[i] > sides.low[axis] + sides.length[axis];
-    if (!below && !above) continue;
-    position[i] = sides.image_place(position[i], below ? -1 : +1, axis);
-    velocity[i] *= -1.0;
-    acceleration[i] *= -1.0;
-    ++reflections_.count;
-    if (sides.is_wall(axis, below ? 0 : 1))
-      reflections_.impulse[axis] += 2.0 * store.scalar(Field::mass)[i] * velocity[i];
-  }
+  auto const mass = store.scalar(Field::mass);
+  double const low = sides.reflects(axis, 0) ? sides.low[axis] : -infinity;
+  double const high = sides.reflects(axis, 1) ? sides.low[axis] + sides.length[axis] : infinity;
+  auto const of_block = [&](std::size_t begin, std::size_t end) {
+    Reflections sum;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (position[i] >= low && position[i] <= high) continue;
+      bool const below = position[i] < low;
+      if (!below && !(position[i] > high)) continue;  // no number
+      position[i] = sides.image_place(position[i], below ? -1 : +1, axis);
+      velocity[i] *= -1.0;
+      acceleration[i] *= -1.0;
+      ++sum.count;
+      if (sides.is_wall(axis, below ? 0 : 1)) sum.impulse[axis] += 2.0 * mass[i] * velocity[i];
+    }
+    return sum;
+  };
+  auto const add = [](Reflections a, Reflections const& b) {
+    a.count += b.count;
+    for (std::size_t k = 0; k < 3; ++k) a.impulse[k] += b.impulse[k];
+    return a;
+  };
+  reflections_ = add(reflections_,
+                     reduce_blocks(store.range(Kind::fluid).size(), Reflections{}, of_block, add));
+}
+
+void Search::return_from_walls(ParticleStore& store) {
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(settings_.dimension); ++axis)
+    if (settings_.sides.is_wall(axis, 0) || settings_.sides.is_wall(axis, 1))
+      swap_with_images(store, axis);
 }
 
 /// Makes the images of a kind and sorts them in among its owned points.

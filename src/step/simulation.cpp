@@ -158,12 +158,14 @@ void Simulation::advance() {
 }
 
 void Simulation::find_neighbours() {
+  if (search_.settings().sides.any_wall()) {
+    Vec3 const before = search_.reflections().impulse;
+    search_.return_from_walls(model_.particles);
+    wall_impulse_ = add(wall_impulse_, subtract(search_.reflections().impulse, before));
+  }
   if (search_.lists_hold(model_.particles)) return;
   remove_lost();
-  auto const before = search_.reflections().impulse;
   search_.rebuild(model_.particles);
-  auto const& after = search_.reflections().impulse;
-  for (std::size_t axis = 0; axis < 3; ++axis) wall_impulse_[axis] += after[axis] - before[axis];
   sort_by_material();
 }
 

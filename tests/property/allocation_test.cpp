@@ -9,6 +9,8 @@
 #include <ostream>
 #include <string>
 
+#include "setup/build_model.hpp"
+#include "support/charge_in_box.hpp"
 #include "support/small_models.hpp"
 
 namespace {
@@ -61,6 +63,11 @@ Flow const flows[] = {
     {"dam_break_2d_double", [] { return small_dam_break(2, Precision::full, 1.0); }},
     {"dam_break_3d_mixed", [] { return small_dam_break(3, Precision::mixed, 1.0); }},
     {"dam_break_3d_double", [] { return small_dam_break(3, Precision::full, 1.0); }},
+    {"mirror_and_repulsive_2d",
+     [] {
+       return build_model(
+           charge::charge_in_box(2, 24, WallMethod::mirror_and_repulsive, Slip::none));
+     }},
     {"blast_1d_mixed",
      [] { return blast_in_periodic_water(1, 2000, Precision::mixed, ContinuityForm::mass); }},
     {"blast_2d_mixed",
