@@ -24,6 +24,7 @@ std::vector<CheckResult> check_martin_moyce_front(Effort effort);
 std::vector<CheckResult> check_tnt_in_water(Effort effort);
 std::vector<CheckResult> check_tnt_kernels(Effort effort);
 std::vector<CheckResult> check_tnt_slab(Effort effort);
+std::vector<CheckResult> check_viscous_flow(Effort effort);
 
 namespace {
 
@@ -56,6 +57,8 @@ constexpr std::array all_checks{
     Check{"tnt-slab",
           "a slab of explosive burns behind a Chapman-Jouguet front, or expands as burnt at once",
           check_tnt_slab},
+    Check{"viscous-flow", "liquid between two plates flows as the series solutions say",
+          check_viscous_flow},
 };
 
 }  // namespace
