@@ -78,6 +78,16 @@ void add_pressure(Model& model) {
   }
 }
 
+/// Particles on the faces of walls without dummies, so that they are seen.
+void add_faces(Model& model) {
+  for (WallFace const& face : model.walls.faces)
+    for (Vec3 const& place : face_particles(face, model.dimension)) {
+      std::size_t const i = model.particles.append(Kind::wall, no_material);
+      for (int axis = 0; axis < model.dimension; ++axis)
+        model.particles.component(Field::position, axis)[i] = place[static_cast<std::size_t>(axis)];
+    }
+}
+
 ParticleStore probes_of(Case const& c) {
   ParticleStore store(c.dimension);
   for (auto const& gauge : c.gauges) {
@@ -207,6 +217,7 @@ int preview_case(PreviewOptions const& options) {
   add_pressure(model);
   std::vector<Seed> const seeds = fill_regions(c);
   say_counts(c, model, seeds);
+  add_faces(model);
   write_vtp(folder / "particles.vtp", model.particles, Kind::fluid, 0.0);
   fmt::print("{}\n", (folder / "particles.vtp").string());
   if (model.particles.range(Kind::wall).size() > 0) {

@@ -17,13 +17,19 @@ RigidState::RigidState(Vec3 const& about, Vec3 const& axis,
 }
 
 /// Rodrigues' formula.
-Vec3 RigidState::turned(Vec3 const& direction) const {
+Vec3 RigidState::turned_by(double sine, Vec3 const& direction) const {
   Vec3 const along = scale((1.0 - cosine_) * dot(axis_, direction), axis_);
-  return add(add(scale(cosine_, direction), scale(sine_, cross(axis_, direction))), along);
+  return add(add(scale(cosine_, direction), scale(sine, cross(axis_, direction))), along);
 }
+
+Vec3 RigidState::turned(Vec3 const& direction) const { return turned_by(sine_, direction); }
 
 Vec3 RigidState::place(Vec3 const& x_0) const {
   return add(center_, turned(subtract(x_0, about_)));
+}
+
+Vec3 RigidState::start_of(Vec3 const& x) const {
+  return add(about_, turned_by(-sine_, subtract(x, center_)));
 }
 
 Vec3 RigidState::velocity(Vec3 const& x) const {

@@ -24,6 +24,8 @@ class RigidState {
 
   /// The place now of what was at x_0 before any motion [m].
   Vec3 place(Vec3 const& x_0) const;
+  /// The place before any motion of what is at x now [m].
+  Vec3 start_of(Vec3 const& x) const;
   /// A direction now that was `direction` before any motion.
   Vec3 turned(Vec3 const& direction) const;
   /// Of the body at the place x now [m/s, m/s^2].
@@ -37,6 +39,8 @@ class RigidState {
   double largest_acceleration(double radius) const;
 
  private:
+  Vec3 turned_by(double sine, Vec3 const& direction) const;
+
   Vec3 center_{};  // m, c + s
   Vec3 about_{};   // m, c
   Vec3 axis_{0.0, 0.0, 1.0};

@@ -105,17 +105,18 @@ GaugeReader wall_reader(Case const& c, GaugeSpec const& gauge) {
   reader.columns.push_back({gauge.name + " largest_pressure", "Pa"});
   std::string const area = c.dimension == 3 ? "m^2" : c.dimension == 2 ? "m" : "";
   reader.columns.push_back({gauge.name + " wet_area", area});
-  WallPart part{wall_members(c, gauge), gauge.probe.about};
+  WallPart part{wall_members(c, gauge), gauge.probe.about, face_parts(c, gauge)};
   reader.read = [part, first_torque](ReadingContext const& at, std::vector<double>& row) {
     Model const& model = at.simulation.model();
-    if (at.loads.size() != at.simulation.search().wet_walls().size()) {
+    if (!at.loads_known) {
       auto const columns = static_cast<std::size_t>(model.dimension) + (3 - first_torque) + 3;
       row.insert(row.end(), columns, std::numeric_limits<double>::quiet_NaN());
       return false;
     }
     WallReading const load = probe_wall(
         {at.simulation.particles(), at.simulation.search(), model.walls, at.loads, model.gravity,
-         model.numerics.spacing, model.symmetry, model.domain_min, model.domain_max},
+         model.numerics.spacing, model.symmetry, model.domain_min, model.domain_max,
+         at.mirror_loads, model.numerics.smoothing_length(), model.numerics.kernel},
         part);
     row.insert(row.end(), load.force.begin(), load.force.begin() + model.dimension);
     row.insert(row.end(), load.torque.begin() + static_cast<std::ptrdiff_t>(first_torque),

@@ -16,10 +16,12 @@ namespace moraine {
 /// A run at the moment of a reading, with what several gauges share.
 struct ReadingContext {
   Simulation const& simulation;
-  // Of the wet walls; none where no gauge reads a wall, or where a run was restored and has made no
-  // step since: then loads are not known, and their readings are no numbers.
+  // Of the wet walls. Not known where no gauge reads a wall, or where a run was restored and has
+  // made no step since: then their readings are no numbers.
   std::vector<WallLoad> const& loads;
+  std::vector<MirrorLoad> const& mirror_loads;  // the same of mirror walls
   EnergyBudget const& budget;
+  bool loads_known = false;
 };
 
 /// One gauge. `read` appends one value per column and returns whether the gauge saw anything: a

@@ -69,8 +69,12 @@ void ProbeRecorder::tell_new_rates(Simulation const& simulation) {
 std::vector<double> ProbeRecorder::read(Simulation const& simulation) {
   // A restored run has no pairs before its first step.
   loads_.clear();
-  if (reads_walls_ && simulation.pairs().bytes() > 0) simulation.loads_on_walls(loads_);
-  ReadingContext const at{simulation, loads_, budget_};
+  bool const known = reads_walls_ && simulation.pairs().bytes() > 0;
+  if (known) {
+    simulation.loads_on_walls(loads_);
+    simulation.loads_on_mirrors(mirror_loads_);
+  }
+  ReadingContext const at{simulation, loads_, mirror_loads_, budget_, known};
   std::vector<double> row{simulation.time()};
   for (std::size_t k = 0; k < readers_.size(); ++k)
     if (readers_[k].read(at, row)) seen_[k] = 1;

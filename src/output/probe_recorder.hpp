@@ -53,6 +53,7 @@ class ProbeRecorder {
   std::vector<ReadingSummary> summaries_;  // of all columns but the time
   std::vector<std::uint8_t> seen_;         // of all gauges: 1 or 0
   std::vector<WallLoad> loads_;
+  std::vector<MirrorLoad> mirror_loads_;
   EnergyBudget budget_;
   std::optional<PressureEnvelope> envelope_;
   std::optional<double> rise_;  // Pa

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "probes/face_probe.hpp"
+
 namespace moraine {
 namespace {
 
@@ -42,6 +44,7 @@ WallReading probe_wall(WallSurroundings const& at, WallPart const& part) {
         });
     add_pressure(at, at.walls.points[point], k, place, reading);
   }
+  add_face_loads(at, part, reading);
   if (reading.wet_area > 0.0) reading.mean_pressure /= reading.wet_area;
   reading.wet_area = at.symmetry.whole(reading.wet_area);
   return reading;

@@ -13,10 +13,24 @@
 
 namespace moraine {
 
-/// A set of wall particles, and the point that torques are taken about.
+/// A place of a face whose pressure stands for an area around it.
+struct FaceSpot {
+  Vec3 place{};       // m, before any motion
+  double area = 0.0;  // m^(d-1)
+};
+
+/// A face without dummy particles, or what of it lies in a box.
+struct FacePart {
+  std::size_t face = 0;  // index in WallData::faces
+  Vec3 low{}, high{};    // m, the box
+  std::vector<FaceSpot> spots;
+};
+
+/// A set of wall particles and of faces, and the point that torques are taken about.
 struct WallPart {
   std::vector<std::uint8_t> member;  // 1 or 0, by global id minus WallData::first_id
   Vec3 about{};                      // m
+  std::vector<FacePart> faces{};
 };
 
 /// Load on a wall part. In 2D per metre of thickness, in 1D per square metre.
@@ -39,7 +53,8 @@ struct WallReading {
 /// stands for spacing^(d-1) of the face. They may be negative; the force has no part that pulls.
 /// Where walls move, g is less the acceleration of the wall. With symmetry planes force, torque and
 /// area are those of the whole, mirror images included.
-/// `loads` belong to search.wet_walls(). Gravity in m/s^2, spacing in m.
+/// Walls without dummy particles: probes/face_probe.hpp.
+/// `loads` belong to search.wet_walls(). Gravity in m/s^2, lengths in m.
 struct WallSurroundings {
   ParticleStore const& store;
   Search const& search;
@@ -49,6 +64,10 @@ struct WallSurroundings {
   double spacing;
   Symmetry symmetry{};  // planes at the sides of the domain, whose corners follow
   Vec3 low{}, high{};   // m
+  // Read by faces without dummy particles only.
+  std::span<MirrorLoad const> mirror_loads{};
+  double smoothing_length = 0.0;
+  KernelName kernel = KernelName::wendland_c2;
 };
 WallReading probe_wall(WallSurroundings const& at, WallPart const& part);
 

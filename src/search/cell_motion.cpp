@@ -31,17 +31,36 @@ void CellMotion::reset(GridShape const& coarse, int dimension, UnitSpans const& 
     reference_[axis].assign(positions[axis].begin(), positions[axis].end());
 }
 
-void CellMotion::collect(UnitSpans const& positions, bool local,
-                         std::array<bool, 3> const& reflects) {
+void CellMotion::collect(UnitSpans const& positions, bool local, MirrorPlaces const& planes,
+                         double reach) {
   collect_own(positions);
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) {
     around_.low[axis].assign(own_.low[axis].begin(), own_.low[axis].end());
     around_.high[axis].assign(own_.high[axis].begin(), own_.high[axis].end());
   }
-  if (local)
-    for (int axis = 0; axis < dimension_; ++axis) spread(axis);
-  else
-    spread_everywhere(reflects);
+  if (!local) return spread_everywhere(planes);
+  for (int axis = 0; axis < dimension_; ++axis) spread(axis);
+  reflect(planes, reach);
+}
+
+void CellMotion::reflect(MirrorPlaces const& planes, double reach) {
+  std::size_t step = 1;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) {
+    auto const along = static_cast<std::size_t>(coarse_.cells[axis]);
+    for (std::size_t place = 0; place < along; ++place) {
+      double const low = coarse_.origin[axis] + coarse_.edge * static_cast<double>(place);
+      double const high = low + coarse_.edge;
+      if (low > planes[axis][0] + reach && high < planes[axis][1] - reach) continue;
+      for (std::size_t first = place * step; first < coarse_.size(); first += step * along)
+        for (std::size_t c = first; c < first + step; ++c) {
+          MotionRange range = around(axis, c);
+          range.include({-range.high, -range.low});
+          around_.low[axis][c] = range.low;
+          around_.high[axis][c] = range.high;
+        }
+    }
+    step *= along;
+  }
 }
 
 void CellMotion::collect_own(UnitSpans const& positions) {
@@ -94,10 +113,10 @@ void CellMotion::spread(int axis) {
   }
 }
 
-void CellMotion::spread_everywhere(std::array<bool, 3> const& reflects) {
+void CellMotion::spread_everywhere(MirrorPlaces const& planes) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) {
     MotionRange range = all(axis);
-    if (reflects[axis]) range.include({-range.high, -range.low});
+    if (planes[axis] != no_planes()[axis]) range.include({-range.high, -range.low});
     std::fill(around_.low[axis].begin(), around_.low[axis].end(), range.low);
     std::fill(around_.high[axis].begin(), around_.high[axis].end(), range.high);
   }

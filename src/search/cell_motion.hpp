@@ -30,6 +30,13 @@ struct MotionRange {
   }
 };
 
+/// Places of planes that reflect [axis][end], in units; infinite where there is none.
+using MirrorPlaces = std::array<std::array<double, 2>, 3>;
+constexpr MirrorPlaces no_planes() {
+  constexpr double nowhere = std::numeric_limits<double>::infinity();
+  return {{{-nowhere, nowhere}, {-nowhere, nowhere}, {-nowhere, nowhere}}};
+}
+
 /// Where the points of a kind were when the lists were made, and in which coarse cell.
 class CellMotion {
  public:
@@ -37,8 +44,10 @@ class CellMotion {
   void reset(GridShape const& coarse, int dimension, UnitSpans const& positions);
 
   /// Finds the boxes of all cells: of their own points, and of those of the cells around too, or of
-  /// all cells where not `local`. Along axes that reflect, displacements count both ways then.
-  void collect(UnitSpans const& positions, bool local, std::array<bool, 3> const& reflects);
+  /// all cells where not `local`. Displacements across a plane count both ways in cells within
+  /// `reach` units of it: the image of a neighbour is the neighbour of a point that the neighbour
+  /// itself is near to.
+  void collect(UnitSpans const& positions, bool local, MirrorPlaces const& planes, double reach);
 
   bool empty() const { return order_.empty(); }
   bool empty(std::size_t cell) const { return start_[cell] == start_[cell + 1]; }
@@ -59,7 +68,8 @@ class CellMotion {
  private:
   void collect_own(UnitSpans const& positions);
   void spread(int axis);
-  void spread_everywhere(std::array<bool, 3> const& reflects);
+  void spread_everywhere(MirrorPlaces const& planes);
+  void reflect(MirrorPlaces const& planes, double reach);
 
   int dimension_ = 3;
   GridShape coarse_;

@@ -60,8 +60,8 @@ void DisplacementBound::mark(CellPoints const& points, std::vector<std::uint8_t>
 
 DisplacementBound::Largest DisplacementBound::largest(MovingPoints const& positions) {
   bool const local = !reach_.across_sides;
-  fluid_.collect(positions.fluid, local, reach_.reflects);
-  if (!walls_.empty()) walls_.collect(positions.walls, local, reach_.reflects);
+  fluid_.collect(positions.fluid, local, reach_.planes, reach_.radius);
+  if (!walls_.empty()) walls_.collect(positions.walls, local, reach_.planes, reach_.radius);
   auto const of_cells = [&](std::size_t begin, std::size_t end) {
     Largest most;
     for (std::size_t c = begin; c < end; ++c) {
@@ -106,6 +106,7 @@ bool DisplacementBound::moved_far() const {
     MotionRange range = fluid_.all(axis);
     range.include(walls_.all(axis));
     range.include({0.0F, 0.0F});
+    if (reach_.planes[axis] != no_planes()[axis]) range.include({-range.high, -range.low});
     double const relative = range.high - range.low;
     relative2 += relative * relative;
   }

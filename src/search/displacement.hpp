@@ -27,9 +27,10 @@ class DisplacementBound {
  public:
   struct Reach {
     double radius = 0.0;  // units, of the lists
-    // Neighbours may lie across a side that makes images, so the bound is taken over all cells.
+    // Neighbours may lie across a periodic side, so the bound is taken over all cells.
     bool across_sides = false;
-    std::array<bool, 3> reflects{};  // axes with a symmetry plane: images move the other way
+    // Planes, whose images move the other way, by axis and end; units, infinite where none is.
+    MirrorPlaces planes = no_planes();
   };
 
   /// Takes the reference positions, sorted along the grid of `fluid`, and where fluid and walls

@@ -24,6 +24,13 @@ class IndexBuffer {
   }
   void advance(std::size_t count) { used_ += count; }
   void clear() { used_ = 0; }
+  template <class Keep>
+  void keep_if(Keep&& keep) {
+    auto const end = indices_.begin() + static_cast<std::ptrdiff_t>(used_);
+    auto const kept =
+        std::remove_if(indices_.begin(), end, [&](std::uint32_t j) { return !keep(j); });
+    used_ = static_cast<std::size_t>(kept - indices_.begin());
+  }
   std::span<std::uint32_t> content() { return {indices_.data(), used_}; }
   std::size_t bytes() const { return indices_.capacity() * sizeof(std::uint32_t); }
 

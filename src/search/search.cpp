@@ -100,30 +100,6 @@ MovingPoints Search::moving_points() const {
           settings_.walls_move ? points(Kind::wall).spans() : UnitSpans{}};
 }
 
-/// Where an image would be inside of the domain now, the particle changes places with it.
-void Search::bring_back(ParticleStore& store, Kind kind) const {
-  DomainSides const& sides = settings_.sides;
-  Range const range = store.range(kind);
-  for (int axis = 0; axis < settings_.dimension; ++axis) {
-    auto const k = static_cast<std::size_t>(axis);
-    auto position = store.component(Field::position, axis);
-    if (sides.periodic[k])
-      for (std::size_t i = range.begin; i < range.end; ++i) {
-        double const periods = std::floor((position[i] - sides.low[k]) / sides.length[k]);
-        position[i] -= periods * sides.length[k];
-      }
-    if (!sides.reflects(k) || kind == Kind::wall) continue;
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      bool const below = sides.symmetric[k][0] && position[i] < sides.low[k];
-      bool const above = sides.symmetric[k][1] && position[i] > sides.low[k] + sides.length[k];
-      if (!below && !above) continue;
-      position[i] = sides.image_place(position[i], below ? -1 : +1, k);
-      for (Field const field : {Field::velocity, Field::acceleration})
-        store.component(field, axis)[i] *= -1.0;
-    }
-  }
-}
-
 /// A grid over all points of a kind and their images within the reach [units].
 GridShape Search::shape_around(Kind kind, double reach) const {
   UnitPoint low, high;
@@ -139,9 +115,9 @@ GridShape Search::shape_around(Kind kind, double reach) const {
     DomainSides const& sides = settings_.sides;
     auto const lower = sides.low_units[axis];
     auto const upper = static_cast<Units>(lower + sides.length_units[axis]);
-    if (sides.periodic[axis] || sides.symmetric[axis][0])
+    if (sides.periodic[axis] || sides.reflects(axis, 0))
       low[axis] = std::min(low[axis], lower) - static_cast<Units>(reach);
-    if (sides.periodic[axis] || sides.symmetric[axis][1])
+    if (sides.periodic[axis] || sides.reflects(axis, 1))
       high[axis] = std::max(high[axis], upper) + static_cast<Units>(reach);
   }
   // A hair larger than the fraction of the radius, so that rounding never costs a further cell.
@@ -166,35 +142,6 @@ void Search::sort(ParticleStore& store, Kind kind, double reach) {
   store.permute(kind, cell_order(store, kind, reach));
   read_units(store, kind);
   if (kind == Kind::fluid) list_supports(store);
-}
-
-/// Makes the images of a kind and sorts them in among its owned points.
-void Search::mix_images(ParticleStore const& store, Kind kind) {
-  Points& p = points(kind);
-  Range const range = store.range(kind);
-  auto const id = store.id().subspan(range.begin, range.size());
-  auto const dimension = static_cast<std::size_t>(settings_.dimension);
-  auto& [x, key] = mixing_;
-  key.assign(id.begin(), id.end());
-  UnitSpans const owned = p.spans();
-  for (std::size_t axis = 0; axis < dimension; ++axis)
-    x[axis].assign(owned[axis].begin(), owned[axis].end());
-  append_images(settings_.sides, settings_.dimension, static_cast<std::int64_t>(reach()) + 2, x,
-                key, p.images);
-  auto const order =
-      sort_by_cells_(GridShape(p.grid.shape), settings_.dimension, {x[0], x[1], x[2]}, key, p.grid);
-  if (!p.support.empty()) {
-    p.mixed_support.resize(order.size() + CellPoints::padding);
-    for (std::size_t k = 0; k < order.size(); ++k)
-      p.mixed_support[k] =
-          p.support[order[k] < p.owned ? order[k] : p.images[order[k] - p.owned].source];
-  }
-  p.mixed_index.assign(order.begin(), order.end());
-  p.mixed_index.resize(order.size() + CellPoints::padding);
-  for (std::size_t axis = 0; axis < dimension; ++axis) {
-    p.mixed_x[axis].resize(order.size() + CellPoints::padding);
-    for (std::size_t k = 0; k < order.size(); ++k) p.mixed_x[axis][k] = x[axis][order[k]];
-  }
 }
 
 double Search::reach() const {
@@ -233,82 +180,15 @@ void Search::sort_walls(ParticleStore& store) {
   sort_by_cells_ = {};
 }
 
-/// Lists and their validity from points in cell order.
-void Search::make_lists(ParticleStore const& store) {
-  DomainSides const& sides = settings_.sides;
-  bool const images = sides.any();
-  for (Kind const kind : {Kind::wall, Kind::fluid})
-    if (images && store.range(kind).size() > 0) mix_images(store, kind);
-  displacement_.reset(points(Kind::fluid).in_cells(), points(Kind::wall).in_cells(),
-                      {reach(), images, {sides.reflects(0), sides.reflects(1), sides.reflects(2)}},
-                      moving_points());
-  if (settings_.dimension == 1) collect_neighbours<1>();
-  if (settings_.dimension == 2) collect_neighbours<2>();
-  if (settings_.dimension == 3) collect_neighbours<3>();
-}
-
-template <int D>
-void Search::collect_neighbours() {
-  Points const& fluid = points(Kind::fluid);
-  Points const& wall = points(Kind::wall);
-  double const scale = settings_.fixed_point.scale;
-  double const case_support = settings_.support / scale;
-  double const support = varies() ? largest_support_ : case_support;
-  double const fluid_radius = support + skins_.fluid / scale;
-  double const wall_radius = std::max(support, case_support) + skins_.wall / scale;
-  PairRadius const of_fluid =
-      !varies() ? PairRadius::same
-                : (settings_.larger_of_two ? PairRadius::larger : PairRadius::mean);
-  PairRadius const of_self = varies() ? PairRadius::of_self : PairRadius::same;
-  PairRadius const of_other = varies() ? PairRadius::of_other : PairRadius::same;
-  // What the radii of single pairs lack beside those of the finder.
-  auto const own = [&](std::size_t i) { return varies() ? fluid.support[i] : 0.0F; };
-  auto const skin = [&](double metres) { return static_cast<float>(metres / scale); };
-  float const least = skin(settings_.support);  // of fluid against walls
-  constexpr std::uint32_t nobody = 0xFFFFFFFFu;
-  constexpr std::size_t lanes = NeighbourList::lanes(D);
-  bool const unsorted = settings_.sides.any();  // images stand among the owned points
-  auto const at = [](Points const& p, std::size_t i) {
-    UnitPoint x{};
-    for (std::size_t axis = 0; axis < D; ++axis) x[axis] = p.x[axis][i];
-    return x;
-  };
-  std::size_t const fluids = fluid.owned;
-  std::size_t const walls = wall.owned;
-
-  NeighbourFinder<D> const near_fluid(fluid.in_cells(), fluid_radius, of_fluid, skin(skins_.fluid));
-  fluid_fluid_.build(
-      fluids, lanes, unsorted, [&](std::size_t i, CandidateCache& cache, IndexBuffer& buffer) {
-        near_fluid(at(fluid, i), static_cast<std::uint32_t>(i), cache, buffer, own(i));
-      });
-  NeighbourFinder<D> const near_wall(wall.in_cells(), wall_radius, of_self, skin(skins_.wall),
-                                     least);
-  fluid_wall_.build(fluids, lanes, unsorted,
-                    [&](std::size_t i, CandidateCache& cache, IndexBuffer& buffer) {
-                      UnitPoint const x = at(fluid, i);
-                      if (walls > 0 && displacement_.near_wall(x))
-                        near_wall(x, nobody, cache, buffer, own(i));
-                    });
-  NeighbourFinder<D> const wall_near_fluid(fluid.in_cells(), wall_radius, of_other,
-                                           skin(skins_.wall), least);
-  wall_fluid_.build(walls, lanes, unsorted,
-                    [&](std::size_t i, CandidateCache& cache, IndexBuffer& buffer) {
-                      UnitPoint const x = at(wall, i);
-                      if (displacement_.near_fluid(x)) wall_near_fluid(x, nobody, cache, buffer);
-                    });
-  wet_walls_.clear();
-  for (std::size_t i = 0; i < walls; ++i)
-    if (!wall_fluid_.of(i).empty()) wet_walls_.push_back(static_cast<std::uint32_t>(i));
-}
-
 std::size_t Search::bytes() const {
   std::size_t sum = mixing_.key.capacity() * sizeof(std::uint64_t) + fluid_fluid_.bytes() +
-                    fluid_wall_.bytes() + wall_fluid_.bytes() + displacement_.bytes() +
-                    sort_by_cells_.bytes() + wet_walls_.capacity() * sizeof(std::uint32_t) +
+                    fluid_mirrored_.bytes() + fluid_wall_.bytes() + wall_fluid_.bytes() +
+                    displacement_.bytes() + sort_by_cells_.bytes() +
+                    wet_walls_.capacity() * sizeof(std::uint32_t) +
                     listed_support_.capacity() * sizeof(float);
   for (auto const& axis : mixing_.x) sum += axis.capacity() * sizeof(Units);
   for (Points const& p : points_) {
-    sum += p.grid.bytes() + p.images.capacity() * sizeof(Image) +
+    sum += p.grid.bytes() + p.images.capacity() * sizeof(Image) + p.at_wall.capacity() +
            (p.support.capacity() + p.mixed_support.capacity()) * sizeof(float) +
            p.mixed_index.capacity() * sizeof(std::uint32_t);
     for (auto const* arrays : {&p.x, &p.mixed_x})

@@ -45,6 +45,13 @@ class Search {
  public:
   explicit Search(SearchSettings const& settings);
 
+  /// Particles that passed planes and changed places with their images, since the start; what that
+  /// added to their momentum [N s], where the plane is a wall.
+  struct Reflections {
+    std::uint64_t count = 0;
+    std::array<double, 3> impulse{};
+  };
+
   /// Whether the lists hold all neighbours at the positions in the store. Call once per step: how
   /// fast they wear out decides about the next skins. Positions of any size are allowed.
   bool lists_hold(ParticleStore const& store);
@@ -71,7 +78,7 @@ class Search {
 
   /// Calls visit(i, from) for all fluid particles that may be closer to x [m] than `reach` [m], and
   /// for some that are not, while the lists hold: particle i, and the viewpoint, which is x moved
-  /// by whole periods and reflected at symmetry planes.
+  /// by whole periods and reflected at symmetry planes. Images at walls are no fluid.
   template <class Visit>
   void for_each_fluid_near(std::array<double, 3> const& x, double reach, Visit&& visit) const;
 
@@ -80,7 +87,12 @@ class Search {
   /// lists again.
   void exchange(Archive& archive, ParticleStore& store);
 
+  Reflections const& reflections() const { return reflections_; }
+
+  /// Neighbours of the fluid: itself with its images at periodic sides and symmetry planes; its
+  /// images at walls; wall particles with their images.
   NeighbourList const& fluid_fluid() const { return fluid_fluid_; }
+  NeighbourList const& fluid_mirrored() const { return fluid_mirrored_; }
   NeighbourList const& fluid_wall() const { return fluid_wall_; }
   NeighbourList const& wall_fluid() const { return wall_fluid_; }
   /// Wall points that have fluid near, ascending.
@@ -105,6 +117,7 @@ class Search {
     // With periodic or symmetric sides only: images, and owned points and images together in cell
     // order.
     std::vector<Image> images;
+    std::vector<std::uint8_t> at_wall;  // of the images: 1 or 0; empty without mirror walls
     std::array<std::vector<Units>, 3> mixed_x;
     std::vector<std::uint32_t> mixed_index;
     // Where supports vary: of the owned points, and of owned points and images in cell order.
@@ -123,7 +136,8 @@ class Search {
   void find_largest_support(ParticleStore const& store);
   void list_supports(ParticleStore const& store);
   double growth_of_supports() const;
-  void bring_back(ParticleStore& store, Kind kind) const;
+  void bring_back(ParticleStore& store, Kind kind);
+  void swap_with_images(ParticleStore& store, std::size_t axis);
   double reach() const;  // units, of the lists
   GridShape shape_around(Kind kind, double reach) const;
   std::span<std::uint32_t const> cell_order(ParticleStore const& store, Kind kind, double reach);
@@ -143,7 +157,8 @@ class Search {
   std::array<Points, kind_count> points_;
   std::vector<float> listed_support_;  // units, of the fluid when the lists were made
   double largest_support_ = 0.0;       // units, of those
-  NeighbourList fluid_fluid_, fluid_wall_, wall_fluid_;
+  NeighbourList fluid_fluid_, fluid_mirrored_, fluid_wall_, wall_fluid_;
+  Reflections reflections_;
   DisplacementBound displacement_;
   DisplacementBound::Largest seen_;
   Skins skins_;
@@ -171,7 +186,7 @@ void Search::for_each_fluid_near(std::array<double, 3> const& x, double reach,
   std::array<int, 3> most{};  // images to look from, along each axis and both ways
   for (std::size_t k = 0; k < dimension; ++k) {
     if (sides.periodic[k]) most[k] = static_cast<int>(std::ceil(wide / sides.length[k]));
-    if (sides.reflects(k)) most[k] = 1;
+    if (sides.is_symmetric(k, 0) || sides.is_symmetric(k, 1)) most[k] = 1;
   }
   for (int sz = -most[2]; sz <= most[2]; ++sz)
     for (int sy = -most[1]; sy <= most[1]; ++sy)
@@ -184,7 +199,7 @@ void Search::for_each_fluid_near(std::array<double, 3> const& x, double reach,
           if (shift[k] != 0) from.place[k] = sides.image_place(x[k], shift[k], k);
           if (sides.reverses(shift[k], k)) {
             from.sign[k] = -1.0;
-            exists = exists && sides.symmetric[k][shift[k] > 0 ? 1 : 0];
+            exists = exists && sides.is_symmetric(k, shift[k] > 0 ? 1 : 0);
           }
           double const center = settings_.fixed_point.center[k];
           low[k] = (from.place[k] - wide - center) / settings_.fixed_point.scale;

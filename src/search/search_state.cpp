@@ -16,6 +16,10 @@ void Search::exchange(Archive& archive, ParticleStore& store) {
   archive.number("search/wall_motion_seen", seen_.wall);
   archive.number("search/steps_since_rebuild", steps_since_rebuild_);
   archive.number("search/rebuilds", rebuilds_);
+  archive.number("search/reflections", reflections_.count);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    archive.number(std::string("search/reflected_impulse_") + "xyz"[axis],
+                   reflections_.impulse[axis]);
   if (archive.restoring()) points(Kind::wall) = {};
   exchange_reference(archive, store, Kind::fluid);
   if (settings_.walls_move) exchange_reference(archive, store, Kind::wall);

@@ -11,7 +11,7 @@ bool has_image(DomainSides const& sides, std::int64_t x, int shift, std::size_t 
   bool const near_low = x < low + reach;
   bool const near_high = x >= high - reach;
   if (sides.periodic[axis]) return shift > 0 ? near_low : near_high;
-  return sides.symmetric[axis][shift > 0 ? 1 : 0] && (shift > 0 ? near_high : near_low);
+  return sides.reflects(axis, shift > 0 ? 1 : 0) && (shift > 0 ? near_high : near_low);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "setup/check_burn.hpp"
 #include "setup/fill.hpp"
 #include "setup/geometry.hpp"
+#include "setup/mirror_walls.hpp"
 #include "setup/region_lattice.hpp"
 #include "setup/start_particles.hpp"
 #include "setup/wall_parts.hpp"
@@ -70,6 +71,22 @@ void add_fluid(Case const& c, Model& model, Members& members) {
   }
 }
 
+/// The faces of a wall that moves are part of its body.
+void add_faces_to_body(Case const& c, WallSpec const& spec, std::uint32_t wall, std::uint16_t body,
+                       WallData& walls) {
+  for (WallFace& face : walls.faces) {
+    if (face.wall != wall) continue;
+    face.body = body;
+    double& radius = walls.bodies[body].radius;
+    for (std::size_t corner = 0; corner < (std::size_t{1} << c.dimension); ++corner) {
+      Vec3 place = face.low;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (((corner >> k) & 1) != 0) place[k] = face.high[k];
+      radius = std::max(radius, norm(subtract(place, spec.motion.motion->about)));
+    }
+  }
+}
+
 void add_walls(Case const& c, Model& model, Members& members) {
   ParticleStore& store = model.particles;
   model.walls.first_id = store.size();
@@ -84,6 +101,8 @@ void add_walls(Case const& c, Model& model, Members& members) {
     auto& ids = members.walls.emplace_back();
     try {
       dummies = make_wall_dummies(c, spec, surface);
+      auto const faces = faces_of_wall(c, surface);
+      model.walls.faces.insert(model.walls.faces.end(), faces.begin(), faces.end());
     } catch (std::invalid_argument const& error) {
       problems.push_back(problem_of(c, "wall." + spec.name, error.what()));
     }
@@ -91,6 +110,7 @@ void add_walls(Case const& c, Model& model, Members& members) {
     if (spec.motion.motion) {
       body = static_cast<std::uint16_t>(model.walls.bodies.size());
       model.walls.bodies.push_back({*spec.motion.motion});
+      add_faces_to_body(c, spec, surface, body, model.walls);
     }
     for (Dummy const& dummy : dummies) {
       std::size_t const i = store.append(Kind::wall, no_material);
@@ -158,7 +178,15 @@ void check_periods(Case const& c) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(c.dimension); ++axis) {
     double const period = c.domain.max[axis] - c.domain.min[axis];
     bool const reflects = c.symmetry.planes[axis][0] || c.symmetry.planes[axis][1];
-    if (!(c.periodic[axis] || reflects) || period >= least) continue;
+    auto const mirrors = mirror_sides(c)[axis];
+    if (!(c.periodic[axis] || reflects || mirrors[0] || mirrors[1]) || period >= least) continue;
+    if (auto const wall = mirrors[0] ? mirrors[0] : mirrors[1])
+      throw InputErrors(
+          {problem_of(c, "wall." + c.walls[*wall].name + ".method",
+                      fmt::format("makes images of a container of {:.4g} m along {}, shorter than "
+                                  "two kernel supports, {:.4g} m",
+                                  period, "xyz"[axis], least),
+                      "refine the spacing or let it be \"dummy\"")});
     throw InputErrors(
         {problem_of(c, reflects ? "space.symmetry" : "space.periodic",
                     fmt::format("makes {} of {:.4g} m, shorter than two kernel supports, {:.4g} m",
@@ -178,6 +206,7 @@ Model build_model(Case const& c) {
   model.domain_max = c.domain.max;
   model.periodic = c.periodic;
   model.symmetry = c.symmetry;
+  model.mirror_walls = mirror_planes(c);
   model.gravity = c.gravity;
   model.numerics = c.numerics;
   model.finest_spacing = finest_spacing(c);

@@ -84,6 +84,7 @@ struct RegionSpec {
 
 enum class WallForm : std::uint8_t { container, solid };  // fluid inside the box | outside of it
 enum class Slip : std::uint8_t { free, none };
+enum class WallMethod : std::uint8_t { dummy, mirror, repulsive, mirror_and_repulsive };
 
 /// A rigid wall: the faces of a box. `open` lists sides without a wall ("z+" = the top). The box is
 /// where the wall is before any motion.
@@ -93,7 +94,16 @@ struct WallSpec {
   Box box;
   std::array<std::array<bool, 2>, 3> open{};  // [axis][0: minus side, 1: plus side]
   Slip slip = Slip::free;
+  WallMethod method = WallMethod::dummy;
+  std::optional<double> repulsion{};        // D [m^2/s^2], of methods that push
+  std::optional<double> repulsion_range{};  // r_0 [m]; none: half a spacing
   MotionSpec motion{};
+  bool mirrors() const {
+    return method == WallMethod::mirror || method == WallMethod::mirror_and_repulsive;
+  }
+  bool pushes() const {
+    return method == WallMethod::repulsive || method == WallMethod::mirror_and_repulsive;
+  }
 };
 
 enum class GaugeKind : std::uint8_t { point, front, wall, line, level, sums, side, budget };

@@ -29,6 +29,7 @@ constexpr std::array bytes_per_particle{300.0, 380.0, 510.0};
 constexpr std::array checkpoint_bytes_per_particle{94.0, 122.0, 151.0};
 
 double wall_particles(Case const& c, WallSpec const& wall) {
+  if (wall.method != WallMethod::dummy) return 0.0;
   double const layers =
       std::ceil(kernel_support * c.numerics.largest_smoothing_length() / c.numerics.spacing - 1e-9);
   auto const axes = static_cast<std::size_t>(c.dimension);

@@ -9,6 +9,8 @@
 #include <variant>
 
 #include "setup/check_burn.hpp"
+#include "setup/check_options.hpp"
+#include "setup/check_walls.hpp"
 #include "setup/geometry.hpp"
 #include "setup/parameter.hpp"
 #include "setup/region_lattice.hpp"
@@ -43,7 +45,9 @@ class Warnings {
         look_at_thickness(wall.box, case_.numerics.spacing, "wall." + wall.name);
     look_at_sound_speeds();
     add_smoothing_warnings(case_, warnings_);
+    add_option_warnings(case_, warnings_);
     add_burn_warnings(case_, warnings_);
+    add_wall_warnings(case_, warnings_);
     add_start_warnings(case_, warnings_);
     return std::move(warnings_);
   }

@@ -12,12 +12,15 @@
 #include "base/input_error.hpp"
 #include "setup/check_burn.hpp"
 #include "setup/check_motion.hpp"
+#include "setup/check_options.hpp"
 #include "setup/check_probe.hpp"
 #include "setup/check_region.hpp"
 #include "setup/check_spacing.hpp"
 #include "setup/check_stages.hpp"
+#include "setup/check_walls.hpp"
 #include "setup/geometry.hpp"
 #include "setup/lattice.hpp"
+#include "setup/mirror_walls.hpp"
 #include "setup/parameter.hpp"
 
 namespace moraine {
@@ -58,6 +61,8 @@ class CaseCheck {
       else
         check_probe(case_, case_.gauges[i], keys_.gauges[i], source_);
     check_stages(case_, keys_.stages, source_);
+    check_options(case_, source_);
+    check_wall_methods(case_, keys_.walls, keys_.stages, source_);
     check_domain();
     check_spacings(case_, keys_.regions, source_);
   }
@@ -152,6 +157,8 @@ class CaseCheck {
     }
     if (given) check_box(case_.domain, "space.domain");
     if (given && !is_good("space.domain")) return;
+    end_domain_at_mirrors(case_);
+    check_mirror_sides(case_, keys_.walls, source_);
     check_parts();
     check_gauges();
     check_periodic(given);
@@ -217,7 +224,7 @@ class CaseCheck {
   void check_motion_at_planes(WallSpec const& wall, Box const& swept, std::string const& key) {
     for (std::size_t side = 0; side < side_names.size(); ++side) {
       std::size_t const axis = side / 2;
-      if (!case_.symmetry.planes[axis][side % 2]) continue;
+      if (!is_plane(case_, axis, side % 2)) continue;
       bool const meets = side % 2 == 0 ? swept.min[axis] <= case_.domain.min[axis]
                                        : swept.max[axis] >= case_.domain.max[axis];
       bool const along =
@@ -227,7 +234,9 @@ class CaseCheck {
         if (source_.has(key + name))
           return source_.report_value(
               key + name,
-              fmt::format("moves the wall across the symmetry plane {}", side_names[side]),
+              fmt::format("moves the wall across the {} {}",
+                          case_.symmetry.planes[axis][side % 2] ? "symmetry plane" : "mirror wall",
+                          side_names[side]),
               "compute the whole");
     }
   }

@@ -26,6 +26,9 @@ std::string time_step_words(Case const& c) {
   for (auto const& material : c.materials)
     if (material.burn.kind == BurnKind::programmed)
       text += fmt::format("; {:.3g} h / D while {} is left to burn", c.time.courant, material.name);
+  if (c.numerics.physical_viscosity != ViscosityForm::off) text += "; h^2 / (8 nu)";
+  if (c.numerics.penalty.strength > 0.0)
+    text += fmt::format("; {:.3g} sqrt(m / k) of the penalty", c.time.courant);
   if (std::isfinite(c.time.max_step)) text += fmt::format("; at most {:.4g} s", c.time.max_step);
   return text;
 }
@@ -47,6 +50,37 @@ std::string search_words(Case const& c) {
   return text;
 }
 
+std::string density_words(Case const& c) {
+  if (c.numerics.density == DensityForm::continuity) return "nothing: density is a state";
+  return c.numerics.density == DensityForm::summation
+             ? "sum of m_j W_ij over neighbours, the particle itself and walls"
+             : "the same divided by the sum of m_j / rho_j W_ij, rho_j the plain sums";
+}
+
+std::string option_words(Case const& c) {
+  auto const& numerics = c.numerics;
+  std::vector<std::string> words;
+  if (numerics.physical_viscosity != ViscosityForm::off)
+    words.push_back(fmt::format(
+        "physical viscosity ({})",
+        numerics.physical_viscosity == ViscosityForm::morris ? "Morris" : "Monaghan and Cleary"));
+  if (numerics.gradient_correction != GradientCorrection::off)
+    words.push_back("corrected gradient of continuity and pressure (Bonet and Lok)");
+  if (numerics.density_diffusion > 0.0 && numerics.diffusion == DiffusionForm::gradient)
+    words.push_back("gradient of density taken out of the diffusion");
+  if (numerics.xsph > 0.0)
+    words.push_back(fmt::format("places move with averaged velocities (XSPH, {})", numerics.xsph));
+  if (numerics.shifting > 0.0)
+    words.push_back(fmt::format("places are shifted (coefficient {})", numerics.shifting));
+  if (numerics.penalty.strength > 0.0)
+    words.push_back(fmt::format(
+        "penalty between materials ({:.4g}, exponents {} and {}, below {})",
+        numerics.penalty.strength, numerics.penalty.repulsion, numerics.penalty.attraction,
+        numerics.penalty.range == PenaltyRange::spacing ? "one spacing" : "one smoothing length"));
+  return words.empty() ? "nothing: the case asks for none"
+                       : fmt::format("{}", fmt::join(words, ", "));
+}
+
 std::string matter_words(Case const& c) {
   std::string text;
   for (auto const& material : c.materials) {
@@ -65,9 +99,15 @@ std::string matter_words(Case const& c) {
 std::string wall_words(Case const& c) {
   if (c.walls.empty()) return "nothing: the case has no walls";
   std::string text;
-  for (auto const& wall : c.walls)
+  for (auto const& wall : c.walls) {
     text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", wall.name,
                         wall.slip == Slip::free ? "free slip" : "no slip");
+    if (wall.mirrors()) text += ", mirror images of the fluid";
+    if (wall.pushes())
+      text += fmt::format(", repulsive particles (D = {:.4g} m^2/s^2, r0 = {:.4g} m)",
+                          wall.repulsion.value_or(0.0),
+                          wall.repulsion_range.value_or(0.5 * c.numerics.spacing));
+  }
   return text;
 }
 
@@ -122,14 +162,16 @@ struct Words {
 };
 
 // By label of the action; an action without an entry is told by its description alone.
-constexpr std::array<Words, 9> case_words{{
+constexpr std::array<Words, 11> case_words{{
     {"time step", time_step_words},
     {"kick and drift", smoothing_words},
     {"move walls", motion_words},
     {"search", search_words},
+    {"density", density_words},
     {"matter", matter_words},
     {"walls", wall_words},
     {"pairs", pair_words},
+    {"optional terms", option_words},
     {"kick and check", kick_words},
     {"guards", guard_words},
 }};

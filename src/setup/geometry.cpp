@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "setup/check_motion.hpp"
+#include "setup/mirror_walls.hpp"
 
 namespace moraine {
 double length(Point const& vector) { return std::hypot(vector[0], vector[1], vector[2]); }
@@ -30,8 +31,8 @@ Box common(Box a, Box const& b) {
 Box with_mirror_images(Box box, Case const& c) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (c.symmetry.planes[axis][0]) box.min[axis] = -infinity;
-    if (c.symmetry.planes[axis][1]) box.max[axis] = infinity;
+    if (is_plane(c, axis, 0)) box.min[axis] = -infinity;
+    if (is_plane(c, axis, 1)) box.max[axis] = infinity;
   }
   return box;
 }

@@ -13,7 +13,7 @@ double length(Point const& vector);
 /// Whether `inner` lies in `outer`, touching included, up to 1e-9 of the size of `outer`.
 bool is_inside(Box const& inner, Box const& outer, int dimension);
 
-/// A box that has no end at the symmetry planes: what lies beyond is cut off.
+/// A box that has no end at symmetry planes and mirror walls: what lies beyond is cut off.
 Box with_mirror_images(Box box, Case const& c);
 
 /// What two boxes have in common; its max may lie below its min.

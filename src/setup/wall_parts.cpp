@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "setup/mirror_walls.hpp"
 #include "smoothing/kernels.hpp"
 #include "walls/clearance.hpp"
 
@@ -20,14 +21,18 @@ BoxWall box_wall(Case const& c, WallSpec const& spec) {
   wall.solid = spec.form == WallForm::container ? SolidSide::outside : SolidSide::inside;
   wall.open = spec.open;
   wall.periodic = {c.periodic, c.domain.min, c.domain.max};
-  // A symmetry plane cuts the box: its other half is a mirror image.
+  // A symmetry plane or the mirror of another wall cuts the box: what is beyond is an image.
+  auto const mirrors = mirror_sides(c);
+  auto const cuts = [&](std::size_t axis, std::size_t end) {
+    auto const& mirror = mirrors[axis][end];
+    return c.symmetry.planes[axis][end] || (mirror && c.walls[*mirror].name != spec.name);
+  };
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    auto const& planes = c.symmetry.planes[axis];
-    if (planes[0] && wall.min[axis] <= c.domain.min[axis]) {
+    if (cuts(axis, 0) && wall.min[axis] <= c.domain.min[axis]) {
       wall.min[axis] = c.domain.min[axis];
       wall.open[axis][0] = true;
     }
-    if (planes[1] && wall.max[axis] >= c.domain.max[axis]) {
+    if (cuts(axis, 1) && wall.max[axis] >= c.domain.max[axis]) {
       wall.max[axis] = c.domain.max[axis];
       wall.open[axis][1] = true;
     }
@@ -60,9 +65,68 @@ bool is_member(Case const& c, WallSpec const& wall, ProbeSpec const& probe, Dumm
   return true;
 }
 
+/// Spots in the middles of even squares over a face, those in the box of the part.
+FacePart part_of(Case const& c, WallFace const& face, std::size_t index, ProbeSpec const& probe) {
+  double const slack = 1e-9 * c.numerics.spacing;
+  FacePart part{index, face.low, face.high, {}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    part.low[k] = (probe.has_part ? probe.part_min[k] : face.low[k]) - slack;
+    part.high[k] = (probe.has_part ? probe.part_max[k] : face.high[k]) + slack;
+  }
+  std::array<int, 3> count{1, 1, 1};
+  FaceSpot spot{{}, 1.0};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(c.dimension); ++k) {
+    if (k == face.axis) continue;
+    double const length = face.high[k] - face.low[k];
+    count[k] = std::max(1, static_cast<int>(std::lround(length / c.numerics.spacing)));
+    spot.area *= length / count[k];
+  }
+  for (int z = 0; z < count[2]; ++z)
+    for (int y = 0; y < count[1]; ++y)
+      for (int x = 0; x < count[0]; ++x) {
+        std::array<int, 3> const at{x, y, z};
+        bool inside = true;
+        for (std::size_t k = 0; k < 3; ++k) {
+          spot.place[k] = face.low[k] + (at[k] + 0.5) / count[k] * (face.high[k] - face.low[k]);
+          bool const counts = k < static_cast<std::size_t>(c.dimension);
+          inside = inside &&
+                   (!counts || (spot.place[k] >= part.low[k] && spot.place[k] <= part.high[k]));
+        }
+        if (inside) part.spots.push_back(spot);
+      }
+  return part;
+}
+
 }  // namespace
 
+std::vector<WallFace> faces_of_wall(Case const& c, std::size_t wall) {
+  WallSpec const& spec = c.walls[wall];
+  if (spec.method == WallMethod::dummy) return {};
+  BoxWall const box = box_wall(c, spec);
+  FaceRepulsion repulsion;
+  if (spec.pushes())
+    repulsion = {spec.repulsion.value_or(0.0),
+                 spec.repulsion_range.value_or(0.5 * c.numerics.spacing)};
+  // Where an image goes on with what is cut, and at periodic seams.
+  std::array<std::array<bool, 2>, 3> goes_on{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t end = 0; end < 2; ++end) {
+      double const side =
+          end == 0 ? c.domain.min[axis] - box.min[axis] : box.max[axis] - c.domain.max[axis];
+      bool const cut = is_plane(c, axis, end) && box.open[axis][end] && side >= 0.0;
+      goes_on[axis][end] = cut || spans_period(box, axis);
+    }
+  auto faces = make_wall_faces(box, c.numerics.spacing, repulsion, goes_on);
+  auto const mirrors = mirror_sides(c);
+  for (WallFace& face : faces) {
+    face.wall = static_cast<std::uint32_t>(wall);
+    face.mirror = mirrors[face.axis][face.end] == wall;
+  }
+  return faces;
+}
+
 std::vector<Dummy> make_wall_dummies(Case const& c, WallSpec const& wall, std::uint32_t surface) {
+  if (wall.method != WallMethod::dummy) return {};
   return make_dummy_layer(box_wall(c, wall), c.numerics.spacing, layers_of(c), surface);
 }
 
@@ -79,12 +143,27 @@ std::vector<std::uint8_t> wall_members(Case const& c, GaugeSpec const& gauge) {
   return members;
 }
 
+std::vector<FacePart> face_parts(Case const& c, GaugeSpec const& gauge) {
+  std::vector<FacePart> parts;
+  std::size_t index = 0;
+  for (std::size_t w = 0; w < c.walls.size(); ++w)
+    for (WallFace const& face : faces_of_wall(c, w)) {
+      if (c.walls[w].name == gauge.probe.wall)
+        parts.push_back(part_of(c, face, index, gauge.probe));
+      ++index;
+    }
+  return parts;
+}
+
 void check_wall_parts(Case const& c) {
   std::vector<InputProblem> problems;
   for (GaugeSpec const& gauge : c.gauges) {
     if (gauge.kind != GaugeKind::wall || !gauge.probe.has_part) continue;
     auto const members = wall_members(c, gauge);
-    if (std::find(members.begin(), members.end(), 1) == members.end())
+    auto const faces = face_parts(c, gauge);
+    bool const any = std::any_of(faces.begin(), faces.end(),
+                                 [](FacePart const& face) { return !face.spots.empty(); });
+    if (!any && std::find(members.begin(), members.end(), 1) == members.end())
       problems.push_back(problem_of(c, "gauge." + gauge.name + ".part.min",
                                     fmt::format("makes a box without any place of the faces of "
                                                 "wall \"{}\"",

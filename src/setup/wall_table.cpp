@@ -71,6 +71,35 @@ void add_motion_entries(std::vector<Entry<WallSpec>>& table) {
                   "from the case file"}));
 }
 
+void add_method_entries(std::vector<Entry<WallSpec>>& table) {
+  table.push_back(member<WallSpec, &WallSpec::method>(
+      {.section = Section::wall,
+       .key = "method",
+       .type = ValueType::choice,
+       .preset = static_cast<int>(WallMethod::dummy),
+       .names = {"dummy", "mirror", "repulsive", "mirror_and_repulsive"},
+       .meaning = "what the wall is made of: layers of dummy particles behind its faces; mirror "
+                  "images of the fluid, at containers at rest; a row of particles on its faces "
+                  "that push; both of these (docs/walls.md)"}));
+  table.push_back(member<WallSpec, &WallSpec::repulsion>(
+      {.section = Section::wall,
+       .key = "repulsion",
+       .quantity = Quantity::specific_energy,
+       .preset_note = "must be given where the method pushes",
+       .limits = Limits::positive(),
+       .meaning = "D of the repulsion D ((r0/r)^12 - (r0/r)^4) / r, in m^2/s^2: of the order of "
+                  "the largest speed squared, such as 5 g H in tanks, or c^2",
+       .source = "Monaghan, J. Comput. Phys. 110 (1994) 399, section 4"}));
+  table.push_back(member<WallSpec, &WallSpec::repulsion_range>(
+      {.section = Section::wall,
+       .key = "repulsion_range",
+       .quantity = Quantity::length,
+       .preset_note = "half the spacing, where the method pushes",
+       .limits = Limits::positive(),
+       .meaning = "r0, the distance from which on wall particles push; more than half the spacing "
+                  "pushes at the start"}));
+}
+
 std::vector<Entry<WallSpec>> make_wall_table() {
   std::vector<Entry<WallSpec>> table;
   table.push_back(
@@ -106,6 +135,7 @@ std::vector<Entry<WallSpec>> make_wall_table() {
        .preset = static_cast<int>(Slip::free),
        .names = {"free", "none"},
        .meaning = "free: the fluid slides along the wall; none: it sticks"}));
+  add_method_entries(table);
   add_motion_entries(table);
   return table;
 }

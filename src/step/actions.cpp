@@ -44,6 +44,7 @@ void Simulation::choose_time_step() {
   vote = stricter(vote, acceleration_vote_);
   vote = stricter(vote, motion_vote_);
   vote = stricter(vote, vote_of_walls());
+  vote = stricter(vote, vote_of_repulsion());
   vote = stricter(vote, vote_of_burn());
   vote = stricter(vote, vote_of_options());
   if (stages_.damping() > 0.0)
@@ -171,7 +172,7 @@ void Simulation::kick_and_check() {
   double const half = predict_by();
   double const density_half = density_is_state() ? half : 0.0;
   double const damping = stages_.damping();
-  booked_.walls += 0.5 * vote_.time_step * swept_.wall_power;
+  book_walls();
   struct Outcome {
     Largest acceleration2, motion2, speed2;
     std::size_t bad = none;
@@ -241,8 +242,6 @@ void Simulation::kick_and_check() {
   fastest_ = std::sqrt(outcome.speed2.value);
   motion_vote_ = {longest_motion * of_case / std::sqrt(outcome.motion2.value), motion_limit,
                   id[outcome.motion2.particle]};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    wall_impulse_[axis] += swept_.wall_force[axis] * vote_.time_step;
 }
 
 ConservedSums Simulation::sums() const {
@@ -277,6 +276,7 @@ ConservedSums Simulation::sums() const {
       reduce_blocks(store.range(Kind::fluid).size(), ConservedSums{}, add, combine);
   total.wall_impulse = wall_impulse_;
   total.penalty_energy = option_outcome_.penalty_energy;
+  total.potential_energy += pushed_.energy;
   return total;
 }
 

@@ -21,10 +21,10 @@ void Simulation::remove_lost() {
     double farthest = 0.0;
     for (std::size_t k = 0; k < axes; ++k) {
       if (model_.periodic[k]) continue;
-      // Beyond a symmetry plane a particle has changed places with its image.
-      auto const& plane = model_.symmetry.planes[k];
-      double const below = plane[0] ? 0.0 : model_.domain_min[k] - position[k][i];
-      double const above = plane[1] ? 0.0 : position[k][i] - model_.domain_max[k];
+      // Beyond a plane a particle changes places with its image.
+      DomainSides const& sides = search_.settings().sides;
+      double const below = sides.reflects(k, 0) ? 0.0 : model_.domain_min[k] - position[k][i];
+      double const above = sides.reflects(k, 1) ? 0.0 : position[k][i] - model_.domain_max[k];
       if (std::max(below, above) <= farthest) continue;
       farthest = std::max(below, above);
       side = 2 * k + (above > below ? 1 : 0);

@@ -8,6 +8,7 @@
 
 #include "matter/burn/burn.hpp"
 #include "matter/eos/eos.hpp"
+#include "search/side_images.hpp"
 #include "step/guard.hpp"
 #include "step/settings.hpp"
 #include "step/stages.hpp"
@@ -34,6 +35,8 @@ struct Model {
   std::array<double, 3> domain_max{};  // m
   std::array<bool, 3> periodic{};
   Symmetry symmetry;
+  /// Sides of the domain that are faces of mirror walls; `open` elsewhere.
+  std::array<std::array<Plane, 2>, 3> mirror_walls{};
   std::array<double, 3> gravity{};  // m/s^2
   Numerics numerics;
   /// m, the smallest spacing that fluid particles started with; 0: that of `numerics`.
@@ -44,6 +47,10 @@ struct Model {
   ParticleStore particles{3};
   WallData walls;
   std::vector<Stage> stages;  // in their order; none: one stage without a name
+  /// What reflects at a side of the domain.
+  Plane plane(std::size_t axis, std::size_t end) const {
+    return symmetry.planes[axis][end] ? Plane::symmetry : mirror_walls[axis][end];
+  }
   Flavour flavour() const {
     return numerics.precision == Precision::mixed ? Flavour::mixed : Flavour::full;
   }

@@ -41,14 +41,19 @@ Vote Simulation::vote_of_options() const {
     vote = {viscous_share(model_) / option_outcome_.viscous_rate, viscous_limit,
             id[option_outcome_.viscous_particle]};
   if (option_outcome_.penalty_rate > 0.0)
-    vote = stricter(vote, {1.0 / std::sqrt(option_outcome_.penalty_rate), penalty_limit,
-                           id[option_outcome_.penalty_particle]});
+    vote = stricter(vote, {model_.time.courant / std::sqrt(option_outcome_.penalty_rate),
+                           penalty_limit, id[option_outcome_.penalty_particle]});
   return vote;
 }
 
 void Simulation::loads_on_walls(std::vector<WallLoad>& loads) const {
   pairs_->loads_on_walls(model_.particles, search_, loads);
   if (options_) options_->add_loads_on_walls(model_.particles, search_, loads);
+}
+
+void Simulation::loads_on_mirrors(std::vector<MirrorLoad>& loads) const {
+  pairs_->loads_on_mirrors(model_.particles, search_, loads);
+  if (options_) options_->add_loads_on_mirrors(model_.particles, search_, loads);
 }
 
 /// Rates are saved with the particles; what else the last sweep told must be there for the next.

@@ -113,8 +113,15 @@ void Simulation::exchange(Archive& archive) {
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
     archive.number(fmt::format("wall_impulse_{}", "xyz"[axis]), wall_impulse_[axis]);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    archive.number(fmt::format("wall_force_{}", "xyz"[axis]), swept_.wall_force[axis]);
   archive.number("wall_power", swept_.wall_power);
   if (options_) exchange_options(archive);
+  archive.number("walls/repulsion_energy", pushed_.energy);
+  archive.number("walls/repulsion_stiffness", pushed_.stiffness);
+  std::uint64_t pushed = pushed_.particle;
+  archive.number("walls/repulsed_particle", pushed);
+  pushed_.particle = pushed;
   archive.number("smoothing/clipped_at_least", smoothing_clips_.at_least);
   archive.number("smoothing/clipped_at_most", smoothing_clips_.at_most);
   model_.particles.exchange(archive);
@@ -153,7 +160,10 @@ void Simulation::advance() {
 void Simulation::find_neighbours() {
   if (search_.lists_hold(model_.particles)) return;
   remove_lost();
+  auto const before = search_.reflections().impulse;
   search_.rebuild(model_.particles);
+  auto const& after = search_.reflections().impulse;
+  for (std::size_t axis = 0; axis < 3; ++axis) wall_impulse_[axis] += after[axis] - before[axis];
   sort_by_material();
 }
 
@@ -172,8 +182,22 @@ LostParticles Simulation::lost() const {
 }
 
 void Simulation::sum_pairs() {
-  booked_.walls += 0.5 * vote_.time_step * swept_.wall_power;
+  book_walls();  // as momentum and energy are integrated: half a step with the old rates
   swept_ = pairs_->sweep(model_.particles, search_);
+  if (!model_.walls.push()) return;
+  // No step is longer than that of the sound, unless it is fixed.
+  double const longest = model_.time.courant * model_.numerics.smoothing_length();
+  pushed_ = push_from_faces(model_.particles, model_.walls, longest / swept_.signal_speed);
+  swept_.wall_force = add(swept_.wall_force, pushed_.force);
+  swept_.wall_power += pushed_.power;
+}
+
+/// Half a step of what walls do to the fluid at the present rates.
+void Simulation::book_walls() {
+  double const half = 0.5 * vote_.time_step;
+  booked_.walls += half * swept_.wall_power;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    wall_impulse_[axis] += half * swept_.wall_force[axis];
 }
 
 std::size_t Simulation::bytes() const {

@@ -17,6 +17,7 @@
 #include "step/model.hpp"
 #include "step/smoothing_lengths.hpp"
 #include "step/time_step.hpp"
+#include "walls/face_push.hpp"
 
 namespace moraine {
 
@@ -24,7 +25,7 @@ namespace moraine {
 struct ConservedSums {
   double kinetic_energy = 0.0;           // J
   double internal_energy = 0.0;          // J
-  double potential_energy = 0.0;         // J, -m g . x
+  double potential_energy = 0.0;         // J, -m g . x, and that of repulsive walls
   double penalty_energy = 0.0;           // J, of the repulsion between materials
   double mass = 0.0;                     // kg
   std::array<double, 3> momentum{};      // kg m/s
@@ -96,6 +97,8 @@ class Simulation {
   OptionOutcome const& optional_terms() const { return option_outcome_; }
   /// Loads of all terms on the wall particles of search().wet_walls(), in their order.
   void loads_on_walls(std::vector<WallLoad>& loads) const;
+  /// Loads of all terms on mirror walls, one for each particle that has images there.
+  void loads_on_mirrors(std::vector<MirrorLoad>& loads) const;
   LostParticles lost() const;  // through all sides
   LostThroughSides const& lost_through() const { return lost_; }
   BookedEnergy const& booked() const { return booked_; }
@@ -152,12 +155,14 @@ class Simulation {
   void gather();
   void continue_into_walls();
   void sum_pairs();
+  void book_walls();
   void sum_optional_terms();
   void kick_and_check();
   void watch();
 
   void sort_by_material();
   Vote vote_of_walls() const;
+  Vote vote_of_repulsion() const;
   Vote vote_of_burn() const;
   Vote vote_of_options() const;
   bool density_is_state() const { return model_.numerics.density == DensityForm::continuity; }
@@ -181,6 +186,7 @@ class Simulation {
   SweepOutcome swept_;
   OptionParameters option_parameters_;
   OptionOutcome option_outcome_;
+  FacePush pushed_;
   LostThroughSides lost_{};
   std::vector<std::uint32_t> leaving_;  // indices, while lost particles are removed
   std::array<double, 3> wall_impulse_{};

@@ -28,7 +28,7 @@ SearchSettings search_settings(Model const& model) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(model.dimension); ++axis) {
     sides.periodic[axis] = model.periodic[axis];
     sides.low[axis] = model.domain_min[axis];
-    sides.symmetric[axis] = model.symmetry.planes[axis];
+    for (std::size_t end = 0; end < 2; ++end) sides.planes[axis][end] = model.plane(axis, end);
     sides.length[axis] = model.domain_max[axis] - model.domain_min[axis];
     sides.length_units[axis] = std::llround(sides.length[axis] / settings.fixed_point.scale);
     sides.low_units[axis] =
@@ -41,6 +41,13 @@ SweepParameters sweep_parameters(Model const& model) {
   SweepParameters p;
   Eos const& eos = model.materials.front().eos;
   p.walls_move = model.walls.move();
+  for (std::size_t side = 0; side < 6; ++side) {
+    Plane const plane = model.mirror_walls[side / 2][side % 2];
+    p.mirror_walls = p.mirror_walls || plane != Plane::open;
+    // Images with pressures or velocities of their own are no mirror images of a pair any more.
+    p.walls_keep_work = p.walls_keep_work || plane == Plane::stick_wall ||
+                        (plane != Plane::open && model.gravity[side / 2] != 0.0);
+  }
   double const rho = reference_density(eos);
   double const c =
       std::visit([&](auto const& law) { return law.sound_speed(rho, law.reference_energy); }, eos);

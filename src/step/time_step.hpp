@@ -14,6 +14,7 @@ inline constexpr std::string_view acceleration_limit = "acceleration";
 inline constexpr std::string_view motion_limit = "motion";
 inline constexpr std::string_view wall_motion_limit = "motion of a wall";
 inline constexpr std::string_view wall_acceleration_limit = "acceleration of a wall";
+inline constexpr std::string_view repulsion_limit = "repulsion of a wall";
 inline constexpr std::string_view burn_limit = "programmed burn";
 inline constexpr std::string_view damping_limit = "damping";
 inline constexpr std::string_view viscous_limit = "physical viscosity";
@@ -27,8 +28,8 @@ inline constexpr std::string_view end_of_run = "end of run";
 inline std::string_view kept_reason(std::string_view words) {
   for (std::string_view const reason :
        {sound_limit, acceleration_limit, motion_limit, wall_motion_limit, wall_acceleration_limit,
-        burn_limit, damping_limit, viscous_limit, penalty_limit, fixed_limit, largest_limit,
-        end_of_run})
+        repulsion_limit, burn_limit, damping_limit, viscous_limit, penalty_limit, fixed_limit,
+        largest_limit, end_of_run})
     if (words == reason) return reason;
   return "nothing";
 }

@@ -26,6 +26,15 @@ Vote Simulation::vote_of_walls() const {
   return vote;
 }
 
+/// The largest frequency of a particle in the field of the wall, omega^2 = k/m, must be resolved:
+/// omega dt <= C, where 2 is the limit of leapfrog: the force begins with a kink, and steps vary.
+/// With 2 C water that falls over in a tank gained 2.6 % of its energy, with C 0.5 %.
+Vote Simulation::vote_of_repulsion() const {
+  if (pushed_.stiffness == 0.0) return {};
+  return {model_.time.courant / std::sqrt(pushed_.stiffness), repulsion_limit,
+          model_.particles.id()[pushed_.particle]};
+}
+
 /// No wall is faster [m/s].
 double Simulation::speed_of_walls() const {
   double fastest = 0.0;
@@ -67,6 +76,8 @@ void Simulation::find_present_walls() {
   WallData const& walls = model_.walls;
   wall_is_present_.assign(walls.bodies.size(), 0);
   if (!walls.move()) return;
+  for (WallFace const& face : walls.faces)  // these stay to the end
+    if (face.body != WallFace::at_rest) wall_is_present_[face.body] = 1;
   Range const range = model_.particles.range(Kind::wall);
   for (std::uint64_t const id : model_.particles.id().subspan(range.begin, range.size())) {
     std::uint16_t const body = walls.points[id - walls.first_id].body;

@@ -47,6 +47,12 @@ struct WallLoad {
   bool wet = false;               // fluid is closer than the support
 };
 
+/// What one particle of the fluid does to mirror walls.
+struct MirrorLoad {
+  std::uint32_t particle = 0;                    // index in the store
+  std::array<std::array<double, 3>, 6> force{};  // N, by side of the domain: 2 axis + (0 | 1 plus)
+};
+
 /// Where energy goes at one instant, summed over all particles [W].
 struct EnergyRates {
   double viscosity = 0.0;       // heat of the artificial viscosity between fluid particles
@@ -76,6 +82,12 @@ class PairBackend {
   /// for the moments at which somebody asks; the sum of all loads is the opposite of wall_force.
   virtual void loads_on_walls(ParticleStore const& store, Search const& search,
                               std::vector<WallLoad>& loads) const = 0;
+
+  /// The forces that the last sweep put on the fluid through its images at walls, seen from the
+  /// walls: one load for each particle that has such images near. An image beyond several walls
+  /// loads the one that the line to it meets first. Else as loads_on_walls.
+  virtual void loads_on_mirrors(ParticleStore const& store, Search const& search,
+                                std::vector<MirrorLoad>& loads) const = 0;
 
   /// Rates at the state of the last sweep. A pass over all pairs with the dissipative terms alone.
   virtual EnergyRates energy_rates(ParticleStore const& store, Search const& search) const = 0;

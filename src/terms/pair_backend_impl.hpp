@@ -5,6 +5,7 @@
 
 #include "terms/gather_fluid.hpp"
 #include "terms/gather_walls.hpp"
+#include "terms/mirror_loads.hpp"
 #include "terms/pair_backend.hpp"
 #include "terms/pair_records.hpp"
 #include "terms/reference_sweep.hpp"
@@ -56,6 +57,11 @@ class PairBackendImpl final : public PairBackend {
     add_up_wall_loads(pairs_, store, search, loads);
   }
 
+  void loads_on_mirrors(ParticleStore const& store, Search const& search,
+                        std::vector<MirrorLoad>& loads) const override {
+    add_up_mirror_loads(pairs_, store, search, loads);
+  }
+
   EnergyRates energy_rates(ParticleStore const& store, Search const& search) const override {
     auto const mass = store.scalar(Field::mass);
     auto const add = [&](std::size_t begin, std::size_t end) {
@@ -85,7 +91,10 @@ class PairBackendImpl final : public PairBackend {
       std::uint64_t pairs = 0;
       for (std::size_t i = begin; i < end; ++i)
         pairs += count_near(i, search.fluid_fluid().points(i), pairs_.fluid) +
-                 count_near(i, search.fluid_wall().points(i), pairs_.wall);
+                 count_near(i, search.fluid_wall().points(i), pairs_.wall) +
+                 (pairs_.parameters.mirror_walls
+                      ? count_near(i, search.fluid_mirrored().points(i), pairs_.fluid)
+                      : 0);
       return pairs;
     };
     return reduce_blocks(pairs_.fluid.owned(), std::uint64_t{0}, count, add);
@@ -157,8 +166,12 @@ class PairBackendImpl final : public PairBackend {
         sum_over_pairs<false, Real, D, Kernel, FluidLayout>(
             constants, self, search.fluid_fluid().of(i), pairs_.fluid.data(), with_fluid, sum);
       std::optional<PairSum<Number, D>> from_fluid;
-      if (!search.fluid_wall().of(i).empty()) {
+      if (pairs_.parameters.mirror_walls && !search.fluid_mirrored().of(i).empty()) {
         from_fluid = sum;
+        add_mirrored(constants, self, search, i, with_fluid, sum);
+      }
+      if (!search.fluid_wall().of(i).empty()) {
+        if (!from_fluid) from_fluid = sum;
         if constexpr (Pairs::reference)
           reference_sum<true, D, Kernel, WallLayout>(pairs_.parameters, self,
                                                      search.fluid_wall().points(i),
@@ -169,6 +182,31 @@ class PairBackendImpl final : public PairBackend {
       }
       use(i, sum, from_fluid);
     }
+  }
+
+  /// Adds the images of the fluid at walls. With `walls_keep_work` all of the work that their
+  /// forces do stays in the particle,
+  ///
+  ///   de_i/dt = - v_i . dv_i/dt,
+  ///
+  /// as at other walls at rest; without, it is shared like that of any pair of the fluid.
+  template <class Terms>
+  void add_mirrored(SweepConstants<Real, D, Kernel> const& constants,
+                    Broadcast<Number, FluidLayout> const& self, Search const& search, std::size_t i,
+                    Terms const& terms, PairSum<Number, D>& sum) const {
+    PairSum<Number, D> const before = sum;
+    if constexpr (Pairs::reference)
+      reference_sum<false, D, Kernel, FluidLayout>(pairs_.parameters, self,
+                                                   search.fluid_mirrored().points(i),
+                                                   pairs_.fluid.data(), terms, sum);
+    else
+      sum_over_pairs<false, Real, D, Kernel, FluidLayout>(
+          constants, self, search.fluid_mirrored().of(i), pairs_.fluid.data(), terms, sum);
+    if (!pairs_.parameters.walls_keep_work) return;
+    sum.energy_rate = before.energy_rate;
+    for (int axis = 0; axis < D; ++axis)
+      sum.energy_rate -=
+          (sum.acceleration[axis] - before.acceleration[axis]) * velocity(self, axis);
   }
 
   template <class Neighbours>

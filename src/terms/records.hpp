@@ -47,6 +47,12 @@ class Records {
     record(i)[Layout::offset(field) + component] = static_cast<Slot>(value);
   }
 
+  void reverse_velocity(std::size_t i, std::size_t axis) {
+    Slot& component =
+        record(i)[static_cast<std::size_t>(Layout::offset(PairField::velocity)) + axis];
+    component = -component;
+  }
+
   double get(std::size_t i, PairField field, int component = 0) const {
     return static_cast<double>(record(i)[Layout::offset(field) + component]);
   }

@@ -25,6 +25,8 @@ struct SweepParameters {
   bool summed_density = false;                // density is no state: nothing to predict
   double contact_gap = 1.0;                   // below this distance a wall pushes back [m]
   bool walls_move = false;                    // walls do work
+  bool mirror_walls = false;                  // walls that make images of the fluid
+  bool walls_keep_work = false;               // pairs with those images give all work to the fluid
   UniformFields<double> uniform{};
 
   /// The uniform fields as numbers of a record.

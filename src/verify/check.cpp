@@ -14,22 +14,30 @@ namespace moraine {
 
 // One folder each below verify/; the function is defined in its check.cpp.
 std::vector<CheckResult> check_sod(Effort effort);
+std::vector<CheckResult> check_toro(Effort effort);
 std::vector<CheckResult> check_water_hugoniot(Effort effort);
 std::vector<CheckResult> check_momentum_double(Effort effort);
 std::vector<CheckResult> check_momentum_mixed(Effort effort);
 std::vector<CheckResult> check_energy_order(Effort effort);
 std::vector<CheckResult> check_hydrostatic_pressure(Effort effort);
 std::vector<CheckResult> check_sloshing(Effort effort);
+std::vector<CheckResult> check_viscous_flow(Effort effort);
+std::vector<CheckResult> check_walls(Effort effort);
 std::vector<CheckResult> check_martin_moyce_front(Effort effort);
+std::vector<CheckResult> check_noh(Effort effort);
+std::vector<CheckResult> check_sedov(Effort effort);
 std::vector<CheckResult> check_tnt_in_water(Effort effort);
 std::vector<CheckResult> check_tnt_kernels(Effort effort);
 std::vector<CheckResult> check_tnt_slab(Effort effort);
-std::vector<CheckResult> check_viscous_flow(Effort effort);
+std::vector<CheckResult> check_tnt_water_interface(Effort effort);
+std::vector<CheckResult> check_negative_controls(Effort effort);
 
 namespace {
 
 constexpr std::array all_checks{
     Check{"sod", "a shock tube agrees with the exact solution and converges to it", check_sod},
+    Check{"toro", "five shock tubes, up to a hundred thousandfold jump of pressure, converge",
+          check_toro},
     Check{"water-hugoniot",
           "shocks in water have the speed, pressure and density of the jump "
           "conditions",
@@ -44,8 +52,16 @@ constexpr std::array all_checks{
           check_hydrostatic_pressure},
     Check{"sloshing", "water in a swaying tank moves as linear potential theory says",
           check_sloshing},
+    Check{"viscous-flow", "liquid between two plates flows as the series solutions say",
+          check_viscous_flow},
+    Check{"walls",
+          "walls that mirror the fluid keep water still and reflect sound; none leak or heat",
+          check_walls},
     Check{"martin-moyce-front", "the front of a dam break advances as measured",
           check_martin_moyce_front},
+    Check{"noh", "cold gas that implodes is stopped behind the exact shock", check_noh},
+    Check{"sedov", "a plane blast comes to the exact radius; where others fail, it is seen",
+          check_sedov},
     Check{"tnt-in-water",
           "an explosion keeps energy, momentum and symmetry, and its shock is possible",
           check_tnt_in_water},
@@ -57,8 +73,12 @@ constexpr std::array all_checks{
     Check{"tnt-slab",
           "a slab of explosive burns behind a Chapman-Jouguet front, or expands as burnt at once",
           check_tnt_slab},
-    Check{"viscous-flow", "liquid between two plates flows as the series solutions say",
-          check_viscous_flow},
+    Check{"tnt-water-interface",
+          "a detonation, and products burnt at once, send into water what the jump conditions say",
+          check_tnt_water_interface},
+    Check{"negative-controls",
+          "without viscosity, and with constant smoothing lengths in expansion, errors stay",
+          check_negative_controls},
 };
 
 }  // namespace

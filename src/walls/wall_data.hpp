@@ -9,6 +9,7 @@
 
 #include "base/vec3.hpp"
 #include "motion/rigid_motion.hpp"
+#include "walls/wall_face.hpp"
 
 namespace moraine {
 
@@ -36,8 +37,13 @@ struct WallData {
   std::uint64_t first_id = 0;
   std::vector<MovingWall> bodies;
   std::vector<Vec3> start;  // m, places before any motion, as `points`; empty where nothing moves
+  std::vector<WallFace> faces;  // of mirror and repulsive walls
 
   bool move() const { return !bodies.empty(); }
+  bool push() const {
+    return std::any_of(faces.begin(), faces.end(),
+                       [](WallFace const& face) { return face.repulsion.strength > 0.0; });
+  }
   bool turn() const {
     return std::any_of(bodies.begin(), bodies.end(),
                        [](MovingWall const& wall) { return wall.motion.rotation.given(); });

@@ -67,6 +67,10 @@ Flow const flows[] = {
      [] { return blast_in_periodic_water(2, 60, Precision::mixed, ContinuityForm::mass); }},
     {"blast_3d_double",
      [] { return blast_in_periodic_water(3, 16, Precision::full, ContinuityForm::volume); }},
+    {"dam_break_3d_options",
+     [] { return with_options(small_dam_break(3, Precision::mixed, 1.0)); }},
+    {"dam_break_2d_summed",
+     [] { return with_summed_density(small_dam_break(2, Precision::mixed, 1.0)); }},
 };
 
 class Allocation : public testing::TestWithParam<Flow> {};

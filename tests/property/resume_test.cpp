@@ -40,7 +40,8 @@ void advance(Simulation& simulation, int steps, int threads) {
 class Resume : public testing::TestWithParam<std::string> {
  protected:
   /// A shipped case, or "NAME+shaken" with its walls shaken hard, "NAME+quarter" with two planes,
-  /// "NAME+rate" and "NAME+density" with smoothing lengths that vary.
+  /// "NAME+rate" and "NAME+density" with smoothing lengths that vary, "NAME+options",
+  /// "NAME+summed" and "NAME+penalty" with optional terms.
   Model model() const {
     auto const [name, variant] = parts();
     Case c = read_case(std::string(MORAINE_SOURCE_DIR "/cases/") + name + "/case.toml");
@@ -57,7 +58,15 @@ class Resume : public testing::TestWithParam<std::string> {
       c.domain.min[axis] = 0.0;
       c.symmetry.planes[axis][0] = true;
     }
-    return build_model(c);
+    if (variant == "penalty") {
+      c.numerics.penalty.strength = 1e3;
+      c.numerics.xsph = 0.3;
+      return build_model(c);
+    }
+    Model model = build_model(c);
+    if (variant == "options") return with_options(std::move(model));
+    if (variant == "summed") return with_summed_density(std::move(model));
+    return model;
   }
   static std::pair<std::string, std::string> parts() {
     std::string const name = GetParam();
@@ -99,7 +108,8 @@ INSTANTIATE_TEST_SUITE_P(Cases, Resume,
                          testing::Values("tnt-in-water", "dam-break-2d", "dam-break-3d",
                                          "hydrostatic-tank", "sod", "sloshing-tank",
                                          "sloshing-tank+shaken", "tnt-in-water+quarter", "tnt-slab",
-                                         "tnt-in-water+rate", "sod+density"),
+                                         "tnt-in-water+rate", "sod+density", "dam-break-3d+options",
+                                         "tnt-in-water+penalty", "dam-break-2d+summed"),
                          [](auto const& test) {
                            std::string name = test.param;
                            for (char& letter : name)

@@ -44,6 +44,15 @@ Flow const flows[] = {
      [](Precision p) { return blast_in_periodic_water(2, 104, p, ContinuityForm::volume); }, 60},
     {"blast_3d_volume",
      [](Precision p) { return blast_in_periodic_water(3, 23, p, ContinuityForm::volume); }, 30},
+    {"dam_break_2d_options",
+     [](Precision p) { return with_options(stirred_dam_break(2, p, 0.0032)); }, 30},
+    {"dam_break_2d_summed",
+     [](Precision p) { return with_summed_density(stirred_dam_break(2, p, 0.0032)); }, 30},
+    {"blast_2d_options",
+     [](Precision p) {
+       return with_options(blast_in_periodic_water(2, 104, p, ContinuityForm::volume));
+     },
+     60},
 };
 
 struct Outcome {

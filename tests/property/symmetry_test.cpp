@@ -118,16 +118,17 @@ struct Setting {
   int dimension, side, planes;
   Precision precision;
   double tolerance;  // rounding, grown over 60 steps of a violent flow
+  Model (*with)(Model) = [](Model model) { return model; };
 };
 
 class SymmetryPlanes : public testing::TestWithParam<Setting> {};
 
 TEST_P(SymmetryPlanes, PartDoesWhatTheWholeDoes) {
-  auto const [dimension, side, planes, precision, tolerance] = GetParam();
+  auto const& [dimension, side, planes, precision, tolerance, with] = GetParam();
   Body const body = charge_in_box(dimension, side, planes, precision);
   bool symmetric[3] = {planes > 0, planes > 1, planes > 2};
-  Model whole_model = build_model(body.whole);
-  Model part_model = build_model(body.part);
+  Model whole_model = with(build_model(body.whole));
+  Model part_model = with(build_model(body.part));
   std::size_t const copies = static_cast<std::size_t>(part_model.symmetry.copies());
   ASSERT_EQ(part_model.particles.range(Kind::fluid).size() * copies,
             whole_model.particles.range(Kind::fluid).size());
@@ -169,7 +170,11 @@ INSTANTIATE_TEST_SUITE_P(, SymmetryPlanes,
                                          Setting{2, 40, 1, Precision::full, 1e-9},
                                          Setting{2, 40, 2, Precision::full, 1e-9},
                                          Setting{2, 40, 2, Precision::mixed, 1e-3},
-                                         Setting{3, 20, 3, Precision::full, 1e-9}));
+                                         Setting{3, 20, 3, Precision::full, 1e-9},
+                                         Setting{2, 40, 2, Precision::full, 1e-9, with_options},
+                                         Setting{2, 40, 1, Precision::full, 1e-9,
+                                                 with_summed_density},
+                                         Setting{3, 20, 3, Precision::full, 1e-9, with_options}));
 
 WallReading load_on_box(Case const& c, Simulation const& simulation) {
   Model const& model = simulation.model();

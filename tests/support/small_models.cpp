@@ -79,6 +79,26 @@ Model blast_in_periodic_water(int dimension, int side, Precision precision,
   return build_model(c);
 }
 
+Model with_options(Model model) {
+  Numerics& numerics = model.numerics;
+  numerics.physical_viscosity = ViscosityForm::monaghan_cleary;
+  for (Material& material : model.materials) material.dynamic_viscosity = 5.0;
+  numerics.xsph = 0.3;
+  numerics.shifting = 1.0;
+  numerics.density_diffusion = 0.1;
+  numerics.diffusion = DiffusionForm::gradient;
+  numerics.gradient_correction = GradientCorrection::bonet_lok;
+  numerics.penalty.strength = 1e3;
+  return model;
+}
+
+Model with_summed_density(Model model) {
+  model.numerics.density = DensityForm::normalised;
+  model.numerics.physical_viscosity = ViscosityForm::morris;
+  for (Material& material : model.materials) material.dynamic_viscosity = 5.0;
+  return model;
+}
+
 void stir(Model& model, double speed) {
   ParticleStore& store = model.particles;
   for (int axis = 0; axis < model.dimension; ++axis)

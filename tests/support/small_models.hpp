@@ -22,6 +22,12 @@ Model small_dam_break(int dimension, Precision precision, double end, double spa
 Model blast_in_periodic_water(int dimension, int side, Precision precision,
                               ContinuityForm continuity);
 
+/// The same model with all optional terms.
+Model with_options(Model model);
+
+/// The same model with density by normalised sums, and viscosity beside walls.
+Model with_summed_density(Model model);
+
 /// Adds velocities of up to `speed` [m/s] along each axis that differ from particle to particle.
 void stir(Model& model, double speed);
 

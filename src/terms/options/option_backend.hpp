@@ -45,9 +45,12 @@ class OptionBackend {
   /// the particles have it; after the main sweep.
   virtual OptionOutcome sweep(ParticleStore& store, Search const& search) = 0;
 
-  /// Adds what the last sweep put on the fluid to the loads of PairBackend::loads_on_walls.
+  /// Adds what the last sweep put on the fluid to the loads of PairBackend::loads_on_walls, and of
+  /// loads_on_mirrors.
   virtual void add_loads_on_walls(ParticleStore const& store, Search const& search,
                                   std::vector<WallLoad>& loads) const = 0;
+  virtual void add_loads_on_mirrors(ParticleStore const& store, Search const& search,
+                                    std::vector<MirrorLoad>& loads) const = 0;
 
   virtual std::size_t bytes() const = 0;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "terms/options/moments.hpp"
+#include "terms/options/option_loads.hpp"
 #include "terms/options/option_records.hpp"
 #include "terms/options/option_sums.hpp"
 #include "terms/options/option_sweep.hpp"
@@ -29,10 +30,8 @@ class OptionBackendImpl final : public OptionBackend {
                     OptionMatter matter)
       : sweep_(sweep),
         options_(options),
-        uniform_(sweep.template uniform_as<Slot>()),
-        records_(sweep, std::move(matter)) {
-    uniform_[static_cast<std::size_t>(PairField::compression)] = Slot(0);
-  }
+        uniform_(option_uniform<Slot>(sweep)),
+        records_(sweep, std::move(matter)) {}
 
   void sum_densities(ParticleStore& store, Search const& search, WallData const& walls,
                      bool normalised) override {
@@ -79,9 +78,18 @@ class OptionBackendImpl final : public OptionBackend {
 
   void add_loads_on_walls(ParticleStore const& store, Search const& search,
                           std::vector<WallLoad>& loads) const override {
+    OptionLoads<D, flavour, Scheme> const on_walls(sweep_, options_, records_);
     auto const& wet = search.wet_walls();
     for_each_block(wet.size(), NeighbourList::block, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) add_load(store, search, wet[n], loads[n]);
+      for (std::size_t n = begin; n < end; ++n) on_walls.add(store, search, wet[n], loads[n]);
+    });
+  }
+
+  void add_loads_on_mirrors(ParticleStore const& store, Search const& search,
+                            std::vector<MirrorLoad>& loads) const override {
+    OptionLoads<D, flavour, Scheme> const on_walls(sweep_, options_, records_);
+    for_each_block(loads.size(), NeighbourList::block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) on_walls.add(store, search, loads[n]);
     });
   }
 
@@ -108,8 +116,17 @@ class OptionBackendImpl final : public OptionBackend {
     sum_options<Pairing::fluid_fluid, FluidLayout, Real, D>(
         Constants(sweep_), self(i), search.fluid_fluid().of(i), records_.fluid.data(), terms, sum);
   }
+  /// Images at mirror walls are fluid too.
+  template <class Terms, class AnySum>
+  void add_mirrored(Search const& search, std::size_t i, Terms const& terms, AnySum& sum) const {
+    if (!sweep_.mirror_walls || search.fluid_mirrored().of(i).empty()) return;
+    sum_options<Pairing::fluid_fluid, FluidLayout, Real, D>(Constants(sweep_), self(i),
+                                                            search.fluid_mirrored().of(i),
+                                                            records_.fluid.data(), terms, sum);
+  }
   template <class Terms, class AnySum>
   void add_walls(Search const& search, std::size_t i, Terms const& terms, AnySum& sum) const {
+    add_mirrored(search, i, terms, sum);
     if (search.fluid_wall().of(i).empty()) return;
     sum_options<Pairing::fluid_wall, WallLayout, Real, D>(
         Constants(sweep_), self(i), search.fluid_wall().of(i), records_.wall.data(), terms, sum);
@@ -172,6 +189,7 @@ class OptionBackendImpl final : public OptionBackend {
     for_each_particle([&](std::size_t i) {
       MomentSum<Real, D> lanes{};
       add_fluid(search, i, terms, lanes);
+      add_mirrored(search, i, terms, lanes);
       MomentSum<double, D> const sum = in_one(lanes);
       Symmetric<D> const k = correction_of(sum);
       auto const entry = [&k](int at) { return k[static_cast<std::size_t>(at)]; };
@@ -221,7 +239,7 @@ class OptionBackendImpl final : public OptionBackend {
         records_.fluid.set(i, PairField::correction, gradients_[i][static_cast<std::size_t>(D + k)],
                            k);
     });
-    records_.fluid.refresh(search.images(Kind::fluid), search.settings().sides);
+    records_.refresh_images(search);
   }
 
   OptionOutcome sum_terms(ParticleStore& store, Search const& search) const {
@@ -270,12 +288,14 @@ class OptionBackendImpl final : public OptionBackend {
     own.viscous_particle = i;
     own.penalty_rate = sum_of_lanes(all.stiffness) / mass;
     own.penalty_particle = i;
-    own.wall_power = mass * sum_of_lanes(all.energy_rate - from_fluid.energy_rate);
+    if (sweep_.walls_move)
+      own.wall_power = mass * sum_of_lanes(all.energy_rate - from_fluid.energy_rate);
     for (int axis = 0; axis < D; ++axis) {
       double const from_walls =
           mass * sum_of_lanes(all.acceleration[axis] - from_fluid.acceleration[axis]);
       own.wall_force[static_cast<std::size_t>(axis)] = from_walls;
-      own.wall_power += from_walls * records_.fluid.get(i, PairField::velocity, axis);
+      if (sweep_.walls_move)
+        own.wall_power += from_walls * records_.fluid.get(i, PairField::velocity, axis);
     }
     own.penalty_energy = sum_of_lanes(all.potential);
     own.energy.viscosity = mass * sum_of_lanes(from_fluid.viscous_heat);
@@ -283,39 +303,6 @@ class OptionBackendImpl final : public OptionBackend {
     own.energy.diffusion =
         mass * store.scalar(Field::pressure)[i] / (rho * rho) * sum_of_lanes(all.diffusion);
     outcome.add(own);
-  }
-
-  void add_load(ParticleStore const& store, Search const& search, std::size_t w,
-                WallLoad& load) const {
-    OptionConstants<double, D> const constants(sweep_);
-    auto const terms = option_terms<double>(sweep_, options_);
-    auto const uniform = doubles();
-    auto const wall = records_.wall.in_metres(w, sweep_.position_scale);
-    Broadcast<double, WallLayout> const neighbour{wall.data(), uniform.data()};
-    auto const& images = search.images(Kind::fluid);
-    for (std::uint32_t const j : search.wall_fluid().points(w)) {
-      auto const fluid = records_.fluid.in_metres(j, sweep_.position_scale);
-      Broadcast<double, FluidLayout> const from{fluid.data(), uniform.data()};
-      double x[D];
-      for (int axis = 0; axis < D; ++axis)
-        x[axis] = fluid[static_cast<std::size_t>(axis)] - wall[static_cast<std::size_t>(axis)];
-      auto const pair = option_pair<Pairing::fluid_wall, double, D>(constants, from, neighbour, x);
-      OptionSum<double, D> sum{};
-      std::apply(
-          [&](auto const&... term) { (term.template add<true>(pair, from, neighbour, sum), ...); },
-          terms);
-      std::size_t const owner =
-          j < records_.fluid.owned() ? j : images[j - records_.fluid.owned()].source;
-      double const mass = store.scalar(Field::mass)[owner];
-      for (int axis = 0; axis < D; ++axis)
-        load.force[static_cast<std::size_t>(axis)] -= mass * sum.acceleration[axis];
-    }
-  }
-
-  UniformFields<double> doubles() const {
-    auto uniform = sweep_.template uniform_as<double>();
-    uniform[static_cast<std::size_t>(PairField::compression)] = 0.0;
-    return uniform;
   }
 
   SweepParameters sweep_;

@@ -32,7 +32,13 @@ class OptionRecords {
       gather_vectors(*this, store, search.settings().fixed_point, ahead, {begin, end});
       gather_scalars(store, ahead, {begin, end});
     });
-    fluid.refresh(images, search.settings().sides);
+    refresh_images(search);
+  }
+
+  void refresh_images(Search const& search) {
+    DomainSides const& sides = search.settings().sides;
+    fluid.refresh(search.images(Kind::fluid), sides);
+    if (sides.any_wall()) reverse_at_stick_walls(search.images(Kind::fluid), sides);
   }
 
   /// Wall particles that have fluid near; each shows the velocity of its wall.
@@ -51,6 +57,18 @@ class OptionRecords {
   Wall wall;
 
  private:
+  /// A mirror without slip reverses all of a velocity, not only the part across it.
+  void reverse_at_stick_walls(std::vector<Image> const& images, DomainSides const& sides) {
+    for_each_block(images.size(), loop_block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k)
+        for (std::size_t axis = 0; axis < static_cast<std::size_t>(D); ++axis) {
+          if (sides.plane_of(images[k].shift[axis], axis) != Plane::stick_wall) continue;
+          for (std::size_t along = 0; along < static_cast<std::size_t>(D); ++along)
+            if (along != axis) fluid.reverse_velocity(fluid.owned() + k, along);
+        }
+    });
+  }
+
   void gather_scalars(ParticleStore const& store, double ahead, Range block) {
     auto const density = store.scalar(Field::density);
     auto const rate = store.scalar(Field::density_rate);

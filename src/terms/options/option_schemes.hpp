@@ -2,6 +2,7 @@
 #pragma once
 
 #include "terms/pair_fields.hpp"
+#include "terms/sweep_parameters.hpp"
 
 namespace moraine {
 
@@ -28,5 +29,14 @@ struct GradientOptions {
                    PairField::density_gradient, PairField::correction>;
   using Wall = typename PlainOptions<D>::Wall;
 };
+
+/// Fields that are the same for all, as numbers of a record: a wall particle's density is that of
+/// its record.
+template <class Slot>
+UniformFields<Slot> option_uniform(SweepParameters const& sweep) {
+  auto uniform = sweep.template uniform_as<Slot>();
+  uniform[static_cast<std::size_t>(PairField::compression)] = Slot(0);
+  return uniform;
+}
 
 }  // namespace moraine

@@ -42,8 +42,10 @@ struct Penalty {
       for (int axis = 0; axis < D; ++axis) sum.penalty_force[axis] += push * pair.x[axis];
       Real const n1 = number<Real>(repulsion);
       Real const n2 = number<Real>(attraction);
+      // Also of pairs that are about to touch: the step must be short before they push.
       Real const stiffness = share * ((n1 + one) * high - (n2 + one) * low) * inverse2;
-      sum.stiffness += select(one < p, stiffness, number<Real>(0));
+      Real const near = number<Real>(1.25) * reach;
+      sum.stiffness += select(pair.distance2 < near * near, stiffness, number<Real>(0));
       sum.potential += number<Real>(0.5) * share * ((high - one) / n1 - (low - one) / n2);
     }
   }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +14,8 @@
 #include "exact/slab_release.hpp"
 #include "setup/build_model.hpp"
 #include "step/simulation.hpp"
+#include "verify/l1_errors.hpp"
+#include "verify/profile.hpp"
 #include "verify/shipped_cases.hpp"
 
 namespace moraine {
@@ -22,66 +23,12 @@ namespace {
 
 constexpr double thickness = 0.1;  // m
 
-/// Relative L1 errors over all particles: density and pressure weighted with volumes, velocity with
-/// masses.
-struct Errors {
-  double density = 0.0;
-  double velocity = 0.0;
-  double pressure = 0.0;
-};
-
-template <class Exact>
-Errors errors_of(Simulation const& simulation, Exact&& exact) {
-  ParticleStore const& store = simulation.particles();
-  auto const x = store.component(Field::position, 0);
-  auto const v = store.component(Field::velocity, 0);
-  auto const rho = store.scalar(Field::density);
-  auto const p = store.scalar(Field::pressure);
-  auto const mass = store.scalar(Field::mass);
-  Errors error, size;
-  for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i) {
-    FlowState const state = exact(x[i]);
-    double const volume = mass[i] / rho[i];
-    error.density += volume * std::fabs(rho[i] - state.density);
-    error.velocity += mass[i] * std::fabs(v[i] - state.velocity);
-    error.pressure += volume * std::fabs(p[i] - state.pressure);
-    size.density += volume * state.density;
-    size.velocity += mass[i] * std::fabs(state.velocity);
-    size.pressure += volume * state.pressure;
-  }
-  return {error.density / size.density, error.velocity / size.velocity,
-          error.pressure / size.pressure};
-}
-
-/// Farthest place where the pressure is above `least` [m].
-double front(Simulation const& simulation, double least) {
-  ParticleStore const& store = simulation.particles();
-  auto const x = store.component(Field::position, 0);
-  auto const p = store.scalar(Field::pressure);
-  double most = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i)
-    if (p[i] > least) most = std::max(most, x[i]);
-  return most;
-}
-
-double mean_pressure(Simulation const& simulation, double below) {
-  ParticleStore const& store = simulation.particles();
-  double sum = 0.0, volume = 0.0;
-  for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i) {
-    if (!(store.component(Field::position, 0)[i] < below)) continue;
-    double const own = store.scalar(Field::mass)[i] / store.scalar(Field::density)[i];
-    sum += own * store.scalar(Field::pressure)[i];
-    volume += own;
-  }
-  return sum / volume;
-}
-
 struct Detonated {
   double speed = 0.0;  // m/s, of the front on its way from 3 to 9 cm
   double rest = 0.0;   // Pa, mean of the inner nine tenths of the zone at rest
   double peak = 0.0;   // Pa
   double drift = 0.0;  // of the total energy, over that of the explosive
-  Errors errors;
+  L1Errors errors;
 };
 
 Detonated detonate(Case slab, double spacing, TaylorWave const& exact) {
@@ -92,17 +39,18 @@ Detonated detonate(Case slab, double spacing, TaylorWave const& exact) {
   double near_time = 0.0, near = 0.0, far_time = 0.0, far = 0.0;
   while (simulation.running()) {
     simulation.advance();
-    double const at = front(simulation, half);
+    double const at = front_of_pressure(simulation, half);
     if (at < 0.03) near_time = simulation.time(), near = at;
     if (at < 0.09) far_time = simulation.time(), far = at;
   }
   double const time = simulation.time();
   auto const p = simulation.particles().scalar(Field::pressure);
-  return {(far - near) / (far_time - near_time),
-          mean_pressure(simulation, 0.9 * exact.rest_speed() * time),
-          *std::max_element(p.begin(), p.end()),
-          std::fabs(simulation.sums().total_energy() - energy) / energy,
-          errors_of(simulation, [&](double x) { return exact.sample(x / time); })};
+  return {
+      (far - near) / (far_time - near_time),
+      mean_between(simulation, Field::pressure, 0.0, 0.9 * exact.rest_speed() * time),
+      *std::max_element(p.begin(), p.end()),
+      std::fabs(simulation.sums().total_energy() - energy) / energy,
+      l1_errors(simulation, FlowCoordinate::x, [&](double x) { return exact.sample(x / time); })};
 }
 
 std::vector<CheckResult> programmed(Case const& slab, TaylorWave const& exact,
@@ -139,10 +87,9 @@ std::vector<CheckResult> instantaneous(Case slab, Jwl const& tnt, double spacing
   slab.numerics.spacing = spacing;
   SlabRelease const exact(RiemannSide{tnt, tnt.reference_density, 0.0, tnt.reference_energy},
                           std::nullopt, thickness);
-  Simulation simulation(build_model(slab));
-  while (simulation.running()) simulation.advance();
-  Errors const errors =
-      errors_of(simulation, [&](double x) { return exact.sample(x, simulation.time()); });
+  Simulation const simulation = run_to_end(slab);
+  L1Errors const errors = l1_errors(simulation, FlowCoordinate::x,
+                                    [&](double x) { return exact.sample(x, simulation.time()); });
   std::string const at =
       fmt::format("L1, {:g} mm, t = {:g} us", 1e3 * spacing, 1e6 * simulation.time());
   return {at_most("tnt-slab: release, density", errors.density, 0.03, "-", at),

@@ -1,0 +1,81 @@
+// The forces of the optional terms on walls, for the moments at which somebody asks: each pair as
+// in the sweep, in double.
+#pragma once
+
+#include "terms/mirror_loads.hpp"
+#include "terms/options/option_records.hpp"
+#include "terms/options/option_sweep.hpp"
+#include "terms/options/option_terms.hpp"
+
+namespace moraine {
+
+/// Looks at pairs of the records of a sweep.
+template <int D, Flavour flavour, class Scheme>
+class OptionLoads {
+  using FluidLayout = typename Scheme::Fluid;
+  using WallLayout = typename Scheme::Wall;
+  using Vector = std::array<double, 3>;
+
+ public:
+  OptionLoads(SweepParameters const& sweep, OptionParameters const& options,
+              OptionRecords<D, flavour, Scheme> const& records)
+      : constants_(sweep),
+        terms_(option_terms<double>(sweep, options)),
+        scale_(sweep.position_scale),
+        uniform_(option_uniform<double>(sweep)),
+        records_(records) {}
+
+  /// Adds the force on wall particle w.
+  void add(ParticleStore const& store, Search const& search, std::size_t w, WallLoad& load) const {
+    auto const wall = records_.wall.in_metres(w, scale_);
+    Broadcast<double, WallLayout> const neighbour{wall.data(), uniform_.data()};
+    auto const& images = search.images(Kind::fluid);
+    for (std::uint32_t const j : search.wall_fluid().points(w)) {
+      auto const fluid = records_.fluid.in_metres(j, scale_);
+      Broadcast<double, FluidLayout> const self{fluid.data(), uniform_.data()};
+      std::size_t const owner =
+          j < records_.fluid.owned() ? j : images[j - records_.fluid.owned()].source;
+      subtract_force<Pairing::fluid_wall>(self, neighbour, store.scalar(Field::mass)[owner],
+                                          load.force);
+    }
+  }
+
+  /// Adds the force of a particle on mirror walls.
+  void add(ParticleStore const& store, Search const& search, MirrorLoad& load) const {
+    auto const record = records_.fluid.in_metres(load.particle, scale_);
+    Broadcast<double, FluidLayout> const self{record.data(), uniform_.data()};
+    auto const& images = search.images(Kind::fluid);
+    for (std::uint32_t const j : search.fluid_mirrored().points(load.particle)) {
+      auto const image = records_.fluid.in_metres(j, scale_);
+      Broadcast<double, FluidLayout> const neighbour{image.data(), uniform_.data()};
+      auto const side = side_met_first(store, search.settings().sides, load.particle,
+                                       images[j - records_.fluid.owned()]);
+      subtract_force<Pairing::fluid_fluid>(
+          self, neighbour, store.scalar(Field::mass)[load.particle], load.force[side]);
+    }
+  }
+
+ private:
+  template <Pairing pairing, class Self, class Neighbour>
+  void subtract_force(Self const& self, Neighbour const& neighbour, double mass,
+                      Vector& force) const {
+    constexpr bool wall = pairing == Pairing::fluid_wall;
+    double x[D];
+    for (int axis = 0; axis < D; ++axis) x[axis] = self.position(axis) - neighbour.position(axis);
+    auto const pair = option_pair<pairing, double, D>(constants_, self, neighbour, x);
+    OptionSum<double, D> sum{};
+    std::apply(
+        [&](auto const&... term) { (term.template add<wall>(pair, self, neighbour, sum), ...); },
+        terms_);
+    for (int axis = 0; axis < D; ++axis)
+      force[static_cast<std::size_t>(axis)] -= mass * sum.acceleration[axis];
+  }
+
+  OptionConstants<double, D> constants_;
+  decltype(option_terms<double>(SweepParameters{}, OptionParameters{})) terms_;
+  double scale_;
+  UniformFields<double> uniform_;
+  OptionRecords<D, flavour, Scheme> const& records_;
+};
+
+}  // namespace moraine

@@ -1,0 +1,316 @@
+// Mirror walls: images, force, momentum and energy.
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "setup/build_model.hpp"
+#include "setup/mirror_walls.hpp"
+#include "setup/wall_parts.hpp"
+#include "step/simulation_setup.hpp"
+#include "support/memory_archive.hpp"
+#include "support/small_models.hpp"
+
+namespace moraine {
+namespace {
+
+constexpr double spacing = 0.01;  // m
+
+/// A closed box full of water with a charge of TNT off its middle, between walls of one method.
+Case charge_in_box(int dimension, int side, WallMethod method, Slip slip) {
+  Case c;
+  c.dimension = dimension;
+  c.numerics.spacing = spacing;
+  c.numerics.precision = Precision::full;
+  double const size = side * spacing;
+  Box box{};
+  Point center{};
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
+    box.max[axis] = size;
+    c.domain.min[axis] = -size;
+    c.domain.max[axis] = 2.0 * size;
+    center[axis] = 0.3 * size;
+  }
+  c.time.end = 1.0;
+  c.time.fixed_step = 5e-7;
+  c.materials = {{"water", WaterPolynomial{}}, {"tnt", Jwl{}}};
+  c.regions = {{"sea", "water", box, {}}, {"charge", "tnt", Disc{center, 0.2 * size}, {}}};
+  WallSpec wall;
+  wall.name = "box";
+  wall.box = box;
+  wall.slip = slip;
+  wall.method = method;
+  if (wall.pushes()) wall.repulsion = 1480.0 * 1480.0;
+  c.walls = {wall};
+  GaugeSpec gauge;
+  gauge.name = "load";
+  gauge.kind = GaugeKind::wall;
+  gauge.probe.wall = "box";
+  c.gauges = {gauge};
+  end_domain_at_mirrors(c);
+  return c;
+}
+
+double scale_of_momentum(ConservedSums const& s) {
+  return std::sqrt(2.0 * s.mass * s.kinetic_energy);
+}
+
+struct Setting {
+  int dimension, side;
+  WallMethod method;
+  Slip slip;
+};
+
+class MirrorWalls : public testing::TestWithParam<Setting> {};
+
+// Walls at rest do no work; what they push is what the fluid gains. Both to the accuracy of the
+// step: momentum to rounding, energy to second order in the step.
+TEST_P(MirrorWalls, TellTheirImpulseAndKeepTheEnergy) {
+  auto const [dimension, side, method, slip] = GetParam();
+  Case const c = charge_in_box(dimension, side, method, slip);
+  auto const drift = [&](int halvings) {
+    Model model = build_model(c);
+    EXPECT_EQ(model.particles.range(Kind::wall).size(), 0u);
+    stir(model, 200.0);
+    model.time.fixed_step = std::ldexp(2e-7, -halvings);
+    Simulation simulation(std::move(model));
+    ConservedSums const before = simulation.sums();
+    for (int step = 0; step < 60 << halvings; ++step) simulation.advance();
+    ConservedSums const after = simulation.sums();
+    for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k) {
+      EXPECT_NEAR(after.momentum[k] - before.momentum[k], after.wall_impulse[k],
+                  1e-11 * scale_of_momentum(after));
+      EXPECT_GT(std::fabs(after.wall_impulse[k]), 1e-4 * scale_of_momentum(after));
+    }
+    EXPECT_EQ(simulation.lost().count, 0u);
+    return std::fabs(after.total_energy() - before.total_energy()) / after.kinetic_energy;
+  };
+  double const coarse = drift(0), fine = drift(1);
+  EXPECT_LE(coarse, 5e-3);  // of a charge that goes off among particles that were stirred
+  EXPECT_LE(fine, 0.35 * coarse + 1e-9);  // a quarter, where the error is all of second order
+}
+
+INSTANTIATE_TEST_SUITE_P(, MirrorWalls,
+                         testing::Values(Setting{1, 60, WallMethod::mirror, Slip::free},
+                                         Setting{2, 24, WallMethod::mirror, Slip::free},
+                                         Setting{2, 24, WallMethod::mirror, Slip::none},
+                                         Setting{3, 12, WallMethod::mirror, Slip::free},
+                                         Setting{3, 12, WallMethod::mirror, Slip::none},
+                                         Setting{2, 24, WallMethod::mirror_and_repulsive,
+                                                 Slip::free}));
+
+/// The search and the records of a box of side 8 whose walls reflect.
+struct Gathered {
+  Model model;
+  Search search;
+};
+Gathered gathered(Slip slip) {
+  Model model = build_model(charge_in_box(3, 12, WallMethod::mirror, slip));
+  Search search(search_settings(model));
+  search.refresh(model.particles);
+  return {std::move(model), std::move(search)};
+}
+
+// A particle in a corner has seven images: one across each face, edge and the corner itself.
+TEST(MirrorWall, CornersHaveAllImages) {
+  Gathered const g = gathered(Slip::free);
+  ParticleStore const& store = g.model.particles;
+  std::size_t const owned = store.range(Kind::fluid).size();
+  auto const& images = g.search.images(Kind::fluid);
+  for (std::size_t i = 0; i < owned; ++i) {
+    bool in_corner = true;
+    for (int axis = 0; axis < 3; ++axis)
+      in_corner = in_corner && store.component(Field::position, axis)[i] < spacing;
+    if (!in_corner) continue;
+    std::set<std::array<std::int8_t, 3>> octants;
+    for (Image const& image : images)
+      if (image.source == i) octants.insert(image.shift);
+    EXPECT_EQ(octants.size(), 7u);
+    // They are neighbours in the list of images at walls and in no other.
+    std::size_t own = 0;
+    for (std::uint32_t const j : g.search.fluid_mirrored().points(i)) {
+      ASSERT_GE(j, owned);
+      own += images[j - owned].source == i ? 1 : 0;
+    }
+    EXPECT_EQ(own, 7u);
+    for (std::uint32_t const j : g.search.fluid_fluid().points(i)) EXPECT_LT(j, owned);
+    return;
+  }
+  FAIL() << "no particle in the corner";
+}
+
+// Still water of one pressure between mirrors is an endless lattice: nothing moves at all.
+TEST(MirrorWall, FullTankAtRestStaysAtRest) {
+  for (Slip const slip : {Slip::free, Slip::none})
+    for (int const dimension : {1, 2, 3}) {
+      Case c = charge_in_box(dimension, dimension == 1 ? 60 : 12, WallMethod::mirror, slip);
+      c.regions.pop_back();
+      c.regions[0].initial.pressure = 5e6;
+      Simulation simulation(build_model(c));
+      for (int step = 0; step < 100; ++step) simulation.advance();
+      // A Courant step of the sound would carry water of this pressure at 3 m/s; rounding only.
+      for (int axis = 0; axis < dimension; ++axis)
+        EXPECT_LE(largest(simulation.particles(), Field::velocity, axis), 1e-8);
+    }
+}
+
+using State = std::array<double, 7>;
+
+std::vector<State> states(Simulation const& simulation) {
+  ParticleStore const& store = simulation.particles();
+  std::vector<State> all(store.range(Kind::fluid).size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (int axis = 0; axis < store.dimension(); ++axis) {
+      auto const k = static_cast<std::size_t>(axis);
+      all[i][k] = store.component(Field::position, axis)[i] / spacing;
+      all[i][3 + k] = store.component(Field::velocity, axis)[i] / 1000.0;
+    }
+    all[i][6] = store.scalar(Field::density)[i] / 1000.0;
+  }
+  return all;
+}
+
+// A quarter of a charge between two free-slip mirrors does what it does in the whole.
+TEST(MirrorWall, FreeSlipHalvesDoWhatTheWholeDoes) {
+  for (int const dimension : {1, 2, 3}) {
+    int const side = dimension == 1 ? 80 : (dimension == 2 ? 40 : 20);
+    double const half = 0.5 * side * spacing;
+    Case whole = charge_in_box(dimension, side, WallMethod::dummy, Slip::free);
+    Box box{};
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
+      box.min[axis] = -half;
+      box.max[axis] = half;
+      whole.domain.min[axis] = -2.0 * half;
+      whole.domain.max[axis] = 2.0 * half;
+    }
+    whole.regions = {{"sea", "water", box, {}}, {"charge", "tnt", Disc{{}, 0.3 * half}, {}}};
+    whole.walls[0].box = box;
+    Case part = whole;
+    WallSpec mirror = part.walls[0];
+    mirror.name = "mirror";
+    mirror.method = WallMethod::mirror;
+    mirror.box.min = {};
+    for (std::size_t axis = 0; axis < 3; ++axis) mirror.open[axis][1] = true;
+    part.walls.push_back(mirror);
+    end_domain_at_mirrors(part);
+    Simulation a(build_model(part)), b(build_model(whole));
+    for (int step = 0; step < 60; ++step) {
+      a.advance();
+      b.advance();
+    }
+    ASSERT_NEAR(a.sums().mass * std::pow(2.0, dimension) / b.sums().mass, 1.0, 1e-12);
+    auto const all = states(b);
+    double worst = 0.0;
+    for (State const& state : states(a)) {
+      double nearest = 1e30;
+      for (State const& other : all) {
+        double difference = 0.0;
+        for (std::size_t k = 0; k < state.size(); ++k)
+          difference = std::max(difference, std::fabs(state[k] - other[k]));
+        nearest = std::min(nearest, difference);
+      }
+      worst = std::max(worst, nearest);
+    }
+    EXPECT_LE(worst, 1e-9) << dimension;  // rounding, grown over 60 steps of a violent flow
+  }
+}
+
+// Loads that gauges read are the force that the sweep puts on the fluid, and torques those of the
+// forces on the particles.
+TEST(MirrorWall, LoadsAddUpToTheForceOnTheFluid) {
+  for (WallMethod const method : {WallMethod::mirror, WallMethod::mirror_and_repulsive}) {
+    Case const c = charge_in_box(2, 24, method, Slip::none);
+    Model start = build_model(c);
+    stir(start, 300.0);
+    Simulation simulation(std::move(start));
+    for (int step = 0; step < 40; ++step) simulation.advance();
+    auto const before = simulation.sums().wall_impulse;
+    double const dt = simulation.time_step();
+    auto const read = [&] {
+      Model const& model = simulation.model();
+      std::vector<WallLoad> loads;
+      std::vector<MirrorLoad> mirror_loads;
+      simulation.pairs().loads_on_walls(simulation.particles(), simulation.search(), loads);
+      simulation.pairs().loads_on_mirrors(simulation.particles(), simulation.search(),
+                                          mirror_loads);
+      return probe_wall({simulation.particles(), simulation.search(), model.walls, loads,
+                         model.gravity, spacing, model.symmetry, model.domain_min, model.domain_max,
+                         mirror_loads, model.numerics.smoothing_length(), model.numerics.kernel},
+                        {wall_members(c, c.gauges[0]), {}, face_parts(c, c.gauges[0])});
+    };
+    WallReading const first = read();
+    auto const reflected = simulation.search().reflections().impulse;
+    simulation.advance();
+    WallReading const second = read();
+    EXPECT_NEAR(second.wet_area, 4 * 24 * spacing, 1e-12);
+    double const size = 1e8 * second.wet_area;
+    for (std::size_t k = 0; k < 2; ++k) {
+      double const impulse = simulation.sums().wall_impulse[k] - before[k] -
+                             (simulation.search().reflections().impulse[k] - reflected[k]);
+      EXPECT_NEAR(-0.5 * (first.force[k] + second.force[k]), impulse / dt, 1e-9 * size);
+      EXPECT_GT(std::fabs(second.force[k]), 1e-3 * size);
+    }
+  }
+}
+
+// At a no-slip wall a sheared stream feels its image, which runs the other way: it loses momentum
+// along the wall. At a free-slip wall it does not.
+TEST(MirrorWall, NoSlipDragsAndFreeSlipDoesNot) {
+  for (Slip const slip : {Slip::free, Slip::none}) {
+    Case c = charge_in_box(2, 24, WallMethod::mirror, slip);
+    c.regions.pop_back();
+    c.regions[0].initial.velocity = {30.0, 0.0, 0.0};
+    c.periodic[0] = true;
+    c.domain.min[0] = 0.0;
+    c.domain.max[0] = 24 * spacing;
+    Simulation simulation(build_model(c));
+    double const before = simulation.sums().momentum[0];
+    for (int step = 0; step < 100; ++step) simulation.advance();
+    double const lost = 1.0 - simulation.sums().momentum[0] / before;
+    if (slip == Slip::free)
+      EXPECT_NEAR(lost, 0.0, 1e-11);
+    else
+      EXPECT_GT(lost, 1e-3);
+  }
+}
+
+std::vector<double> after_steps(int threads) {
+  int const before = omp_get_max_threads();
+  omp_set_num_threads(threads);
+  Case c = charge_in_box(2, 32, WallMethod::mirror_and_repulsive, Slip::none);
+  c.numerics.precision = Precision::mixed;
+  Simulation simulation(build_model(c));
+  for (int step = 0; step < 80; ++step) simulation.advance();
+  omp_set_num_threads(before);
+  auto state = state_by_id(simulation.particles());
+  ConservedSums const sums = simulation.sums();
+  state.insert(state.end(), {sums.wall_impulse[0], sums.potential_energy});
+  return state;
+}
+
+TEST(MirrorWall, SameBitsForAnyNumberOfThreads) { EXPECT_EQ(after_steps(1), after_steps(3)); }
+
+TEST(MirrorWall, GoesOnAsIfItHadNotStopped) {
+  Case c = charge_in_box(2, 32, WallMethod::mirror_and_repulsive, Slip::free);
+  c.numerics.precision = Precision::mixed;
+  c.time.fixed_step = 0.0;
+  Simulation straight(build_model(c));
+  for (int step = 0; step < 50; ++step) straight.advance();
+  MemoryArchive saved;
+  straight.save(saved);
+  saved.restore();
+  Simulation resumed(build_model(c), saved);
+  for (int step = 0; step < 40; ++step) {
+    straight.advance();
+    resumed.advance();
+  }
+  EXPECT_EQ(state_by_id(straight.particles()), state_by_id(resumed.particles()));
+  EXPECT_EQ(straight.sums().wall_impulse, resumed.sums().wall_impulse);
+  EXPECT_EQ(straight.sums().total_energy(), resumed.sums().total_energy());
+}
+
+}  // namespace
+}  // namespace moraine
