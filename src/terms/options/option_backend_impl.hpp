@@ -96,6 +96,7 @@ class OptionBackendImpl final : public OptionBackend {
       sum.concentration[a] = sum_of_lanes(lanes.concentration[a]);
       sum.density_slope[a] = sum_of_lanes(lanes.density_slope[a]);
     }
+    sum.fastest2 = largest_lane(lanes.fastest2);
     return sum;
   }
   static Symmetric<D> correction_of(MomentSum<double, D> const& sum) {
@@ -139,11 +140,7 @@ class OptionBackendImpl final : public OptionBackend {
         if (options_.corrected_gradient) std::copy(k.begin(), k.end(), gradients_[i].begin() + D);
       }
       if (!(options_.shifting > 0.0)) return;
-      double speed2 = 0.0;
-      for (int axis = 0; axis < D; ++axis)
-        speed2 += std::pow(around_.records.fluid.get(i, PairField::velocity, axis), 2);
-      auto const shift =
-          shifting_velocity<D>(options_.shifting, around_.own_smoothing(i), std::sqrt(speed2), sum);
+      auto const shift = shifting_velocity<D>(options_.shifting, around_.own_smoothing(i), sum);
       for (int axis = 0; axis < D; ++axis)
         store.component(Field::drift, axis)[i] = shift[static_cast<std::size_t>(axis)];
     });
