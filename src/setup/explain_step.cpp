@@ -12,6 +12,7 @@
 #include "setup/region_lattice.hpp"
 #include "smoothing/viscous_stiffness.hpp"
 #include "step/simulation.hpp"
+#include "step/simulation_setup.hpp"
 
 namespace moraine {
 namespace {
@@ -26,7 +27,8 @@ std::string time_step_words(Case const& c) {
   for (auto const& material : c.materials)
     if (material.burn.kind == BurnKind::programmed)
       text += fmt::format("; {:.3g} h / D while {} is left to burn", c.time.courant, material.name);
-  if (c.numerics.physical_viscosity != ViscosityForm::off) text += "; h^2 / (8 nu)";
+  if (c.numerics.physical_viscosity != ViscosityForm::off)
+    text += fmt::format("; {:.3g} h^2 / nu", viscous_share(c.numerics, c.dimension));
   if (c.numerics.penalty.strength > 0.0)
     text += fmt::format("; {:.3g} sqrt(m / k) of the penalty", c.time.courant);
   if (std::isfinite(c.time.max_step)) text += fmt::format("; at most {:.4g} s", c.time.max_step);

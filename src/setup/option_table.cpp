@@ -43,9 +43,9 @@ void add_motion(std::vector<Entry<Case>>& table) {
   table.push_back(member<Case, numerics, &Numerics::shifting>(
       {.key = "numerics.shifting",
        .preset = 0.0,
-       .limits = Limits::between(0.0, 10.0),
+       .limits = Limits::between(0.0, 100.0),
        .meaning = "coefficient of the shifting of particles to where they are fewer, away from "
-                  "free surfaces; 2 is usual, 0: none",
+                  "free surfaces; 20 to 40 is usual, 0: none",
        .source = "Lind et al. (2012); Skillen et al. (2013), eq. 13"}));
   table.push_back(member<Case, numerics, &Numerics::gradient_correction>(
       {.key = "numerics.gradient_correction",

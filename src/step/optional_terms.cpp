@@ -1,25 +1,8 @@
 // Density by summation and the optional terms of a step.
-#include "smoothing/viscous_stiffness.hpp"
 #include "step/simulation.hpp"
+#include "step/simulation_setup.hpp"
 
 namespace moraine {
-namespace {
-
-/// Step that physical viscosity bears, in h^2 / nu: 0.6 / (2 d K), the time in which a particle
-/// comes to rest among its neighbours, K of smoothing/viscous_stiffness.hpp; a third of it for the
-/// form along x_ij, which wears down compression three times as fast as shear. The predictor is
-/// stable below 0.71 to 1.4 in place of 0.6: measured in boxes in 1D to 3D, even and disordered, h
-/// of 1.2 to 2 spacings, with six kernels. For Wendland C2 in 2D it is 0.092; Morris, Fox & Zhu, J.
-/// Comput. Phys. 136 (1997) 214, eq. 31, have 0.125 for the quintic spline, whose h is smaller.
-double viscous_share(Model const& model) {
-  double const stiffness =
-      2.0 * model.dimension * viscous_stiffness(model.numerics.kernel, model.dimension);
-  bool const central = model.numerics.physical_viscosity == ViscosityForm::monaghan_cleary;
-  return 0.6 / (central ? 3.0 * stiffness : stiffness);
-}
-
-}  // namespace
-
 void Simulation::sum_densities() {
   if (density_is_state()) return;
   options_->sum_densities(model_.particles, search_, model_.walls,
@@ -38,8 +21,8 @@ Vote Simulation::vote_of_options() const {
   Vote vote;
   auto const id = model_.particles.id();
   if (option_outcome_.viscous_rate > 0.0)
-    vote = {viscous_share(model_) / option_outcome_.viscous_rate, viscous_limit,
-            id[option_outcome_.viscous_particle]};
+    vote = {viscous_share(model_.numerics, model_.dimension) / option_outcome_.viscous_rate,
+            viscous_limit, id[option_outcome_.viscous_particle]};
   if (option_outcome_.penalty_rate > 0.0)
     vote = stricter(vote, {model_.time.courant / std::sqrt(option_outcome_.penalty_rate),
                            penalty_limit, id[option_outcome_.penalty_particle]});

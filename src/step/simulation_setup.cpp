@@ -114,6 +114,12 @@ std::unique_ptr<OptionBackend> make_options_of(Model const& model) {
   return make_option_backend(model.dimension, model.flavour(), sweep, options, std::move(matter));
 }
 
+double viscous_share(Numerics const& numerics, int dimension) {
+  double const stiffness = 2.0 * dimension * viscous_stiffness(numerics.kernel, dimension);
+  bool const central = numerics.physical_viscosity == ViscosityForm::monaghan_cleary;
+  return 0.6 / (central ? 3.0 * stiffness : stiffness);
+}
+
 SchemeName scheme_of(Model const& model) {
   if (model.numerics.smoothing.varies()) return SchemeName::variable;
   if (model.numerics.continuity == ContinuityForm::volume) return SchemeName::compressible;

@@ -21,6 +21,7 @@ std::vector<CheckResult> check_momentum_mixed(Effort effort);
 std::vector<CheckResult> check_energy_order(Effort effort);
 std::vector<CheckResult> check_hydrostatic_pressure(Effort effort);
 std::vector<CheckResult> check_sloshing(Effort effort);
+std::vector<CheckResult> check_viscous_flow(Effort effort);
 std::vector<CheckResult> check_walls(Effort effort);
 std::vector<CheckResult> check_martin_moyce_front(Effort effort);
 std::vector<CheckResult> check_noh(Effort effort);
@@ -53,6 +54,8 @@ constexpr std::array all_checks{
           check_hydrostatic_pressure},
     Check{"sloshing", "water in a swaying tank moves as linear potential theory says",
           check_sloshing},
+    Check{"viscous-flow", "liquid between two plates flows as the series solutions say",
+          check_viscous_flow},
     Check{"walls",
           "walls that mirror the fluid keep water still and reflect sound; none leak or heat",
           check_walls},

@@ -158,12 +158,16 @@ Rates plain_shifting(Model const& m, std::size_t i) {
   std::array<double, 3> slope{};
   double size = 0.0, v2 = 0.0, divergence = 0.0;
   Matrix const moments = plain_moments(m, i, false);
-  for (PlainPair const& p : plain_pairs(m, i))
-    for (std::size_t a = 0; a < axes(m); ++a)
+  for (PlainPair const& p : plain_pairs(m, i)) {
+    double pair_v2 = 0.0;
+    for (std::size_t a = 0; a < axes(m); ++a) {
       slope[a] += mass(m, p.j) / rho(m, p.j) * p.gradient * p.x[a];
+      pair_v2 += std::pow(speed(m, i, a) - speed(m, p.j, a), 2);
+    }
+    v2 = std::max(v2, pair_v2);
+  }
   for (std::size_t a = 0; a < axes(m); ++a) {
     size += slope[a] * slope[a];
-    v2 += speed(m, i, a) * speed(m, i, a);
     divergence += moments[a][a];
   }
   double const inside = std::clamp((divergence / m.dimension - 0.75) / 0.2, 0.0, 1.0);

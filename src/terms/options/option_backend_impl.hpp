@@ -5,20 +5,15 @@
 
 #include "terms/options/moments.hpp"
 #include "terms/options/option_loads.hpp"
-#include "terms/options/option_records.hpp"
-#include "terms/options/option_sums.hpp"
-#include "terms/options/option_sweep.hpp"
+#include "terms/options/option_neighbours.hpp"
 #include "terms/options/option_terms.hpp"
 
 namespace moraine {
 
 template <int D, Flavour flavour, class Scheme>
 class OptionBackendImpl final : public OptionBackend {
-  using Slot = typename LaneType<D, flavour>::Slot;
   using Real = typename LaneType<D, flavour>::Real;
   using FluidLayout = typename Scheme::Fluid;
-  using WallLayout = typename Scheme::Wall;
-  using Constants = OptionConstants<Real, D>;
   using Sum = OptionSum<Real, D>;
   static constexpr bool has_gradients = FluidLayout::has(PairField::correction);
   static constexpr auto sides = static_cast<std::size_t>(D);
@@ -28,46 +23,41 @@ class OptionBackendImpl final : public OptionBackend {
  public:
   OptionBackendImpl(SweepParameters const& sweep, OptionParameters const& options,
                     OptionMatter matter)
-      : sweep_(sweep),
-        options_(options),
-        uniform_(option_uniform<Slot>(sweep)),
-        records_(sweep, std::move(matter)) {}
+      : options_(options), around_(sweep, std::move(matter)) {}
 
   void sum_densities(ParticleStore& store, Search const& search, WallData const& walls,
                      bool normalised) override {
     gather(store, search, walls, 0.0);
     auto const sums = [&](std::size_t i) {
       DensitySum<Real> sum{};
-      add_all(search, i, std::tuple{SummedDensity{}}, sum);
+      around_.add_all(search, i, std::tuple{SummedDensity{}}, sum);
       return sum;
     };
     auto density = store.scalar(Field::density);
     auto const mass = store.scalar(Field::mass);
-    for_each_particle([&](std::size_t i) {
-      density[i] = sum_of_lanes(sums(i).density) + mass[i] * central_kernel(i);
+    around_.for_each_particle([&](std::size_t i) {
+      density[i] = sum_of_lanes(sums(i).density) + mass[i] * around_.central_kernel(i);
     });
     if (!normalised) return;
-    records_.gather_fluid(store, search, 0.0);
+    around_.records.gather_fluid(store, search, 0.0);
     scratch_.resize(density.size());
-    for_each_particle([&](std::size_t i) {
-      double const own = mass[i] / density[i] * central_kernel(i);
+    around_.for_each_particle([&](std::size_t i) {
+      double const own = mass[i] / density[i] * around_.central_kernel(i);
       scratch_[i] = density[i] / (sum_of_lanes(sums(i).volume) + own);
     });
-    for_each_particle([&](std::size_t i) { density[i] = scratch_[i]; });
+    around_.for_each_particle([&](std::size_t i) { density[i] = scratch_[i]; });
   }
 
   void gather(ParticleStore const& store, Search const& search, WallData const& walls,
               double ahead) override {
-    sweep_.position_scale = search.settings().fixed_point.scale;
-    records_.gather_fluid(store, search, ahead);
-    records_.gather_walls(store, search, walls);
+    around_.gather(store, search, walls, ahead);
   }
 
   OptionOutcome sweep(ParticleStore& store, Search const& search) override {
-    if (options_.viscosity != ViscosityForm::off) show_fluid_to_walls(search);
+    if (options_.viscosity != ViscosityForm::off) around_.show_fluid_to_walls(search);
     clear_drift(store);
     if constexpr (has_gradients) {
-      gradients_.resize(records_.fluid.owned());
+      gradients_.resize(around_.records.fluid.owned());
       std::fill(gradients_.begin(), gradients_.end(), Gradients{});
       if (options_.gradient_diffusion > 0.0) find_density_gradients(search);
     }
@@ -78,7 +68,7 @@ class OptionBackendImpl final : public OptionBackend {
 
   void add_loads_on_walls(ParticleStore const& store, Search const& search,
                           std::vector<WallLoad>& loads) const override {
-    OptionLoads<D, flavour, Scheme> const on_walls(sweep_, options_, records_);
+    OptionLoads<D, flavour, Scheme> const on_walls(around_.sweep, options_, around_.records);
     auto const& wet = search.wet_walls();
     for_each_block(wet.size(), NeighbourList::block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) on_walls.add(store, search, wet[n], loads[n]);
@@ -87,88 +77,18 @@ class OptionBackendImpl final : public OptionBackend {
 
   void add_loads_on_mirrors(ParticleStore const& store, Search const& search,
                             std::vector<MirrorLoad>& loads) const override {
-    OptionLoads<D, flavour, Scheme> const on_walls(sweep_, options_, records_);
+    OptionLoads<D, flavour, Scheme> const on_walls(around_.sweep, options_, around_.records);
     for_each_block(loads.size(), NeighbourList::block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) on_walls.add(store, search, loads[n]);
     });
   }
 
   std::size_t bytes() const override {
-    return records_.fluid.bytes() + records_.wall.bytes() + scratch_.capacity() * sizeof(double) +
-           gradients_.capacity() * sizeof(Gradients);
+    return around_.records.fluid.bytes() + around_.records.wall.bytes() +
+           scratch_.capacity() * sizeof(double) + gradients_.capacity() * sizeof(Gradients);
   }
 
  private:
-  template <class Use>
-  void for_each_particle(Use&& use) const {
-    for_each_block(records_.fluid.owned(), NeighbourList::block,
-                   [&](std::size_t begin, std::size_t end) {
-                     for (std::size_t i = begin; i < end; ++i) use(i);
-                   });
-  }
-
-  Broadcast<Real, FluidLayout> self(std::size_t i) const {
-    return {records_.fluid.record(i), uniform_.data()};
-  }
-
-  template <class Terms, class AnySum>
-  void add_fluid(Search const& search, std::size_t i, Terms const& terms, AnySum& sum) const {
-    sum_options<Pairing::fluid_fluid, FluidLayout, Real, D>(
-        Constants(sweep_), self(i), search.fluid_fluid().of(i), records_.fluid.data(), terms, sum);
-  }
-  /// Images at mirror walls are fluid too.
-  template <class Terms, class AnySum>
-  void add_mirrored(Search const& search, std::size_t i, Terms const& terms, AnySum& sum) const {
-    if (!sweep_.mirror_walls || search.fluid_mirrored().of(i).empty()) return;
-    sum_options<Pairing::fluid_fluid, FluidLayout, Real, D>(Constants(sweep_), self(i),
-                                                            search.fluid_mirrored().of(i),
-                                                            records_.fluid.data(), terms, sum);
-  }
-  template <class Terms, class AnySum>
-  void add_walls(Search const& search, std::size_t i, Terms const& terms, AnySum& sum) const {
-    add_mirrored(search, i, terms, sum);
-    if (search.fluid_wall().of(i).empty()) return;
-    sum_options<Pairing::fluid_wall, WallLayout, Real, D>(
-        Constants(sweep_), self(i), search.fluid_wall().of(i), records_.wall.data(), terms, sum);
-  }
-  template <class Terms, class AnySum>
-  void add_all(Search const& search, std::size_t i, Terms const& terms, AnySum& sum) const {
-    add_fluid(search, i, terms, sum);
-    add_walls(search, i, terms, sum);
-  }
-
-  double own_smoothing(std::size_t i) const {
-    return records_.fluid.get(i, PairField::smoothing_length);
-  }
-  /// W(0) of a particle [1/m^d].
-  double central_kernel(std::size_t i) const {
-    AnyKernel<D> const kernel(sweep_.kernel);
-    return kernel.sigma / std::pow(own_smoothing(i), D) * kernel.shape(0.0);
-  }
-
-  /// Walls without slip show the velocity that makes that of the fluid at their face theirs.
-  void show_fluid_to_walls(Search const& search) {
-    auto const& wet = search.wet_walls();
-    for_each_block(wet.size(), NeighbourList::block, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) {
-        std::size_t const w = wet[n];
-        Broadcast<Real, WallLayout> const wall{records_.wall.record(w), uniform_.data()};
-        VelocitySum<Real, D> sum{};
-        sum_options<Pairing::wall_fluid, FluidLayout, Real, D>(
-            Constants(sweep_), wall, search.wall_fluid().of(w), records_.fluid.data(),
-            std::tuple{VelocityBeforeWall{}}, sum);
-        double const weight = sum_of_lanes(sum.weight);
-        if (!(weight > 0.0)) continue;
-        for (int axis = 0; axis < D; ++axis)
-          records_.wall.set(w, PairField::velocity,
-                            2.0 * records_.wall.get(w, PairField::wall_velocity, axis) -
-                                sum_of_lanes(sum.velocity[axis]) / weight,
-                            axis);
-      }
-    });
-    records_.wall.refresh(search.images(Kind::wall), search.settings().sides);
-  }
-
   static MomentSum<double, D> in_one(MomentSum<Real, D> const& lanes) {
     MomentSum<double, D> sum{};
     for (int k = 0; k < symmetric_size<D>; ++k) sum.matrix[k] = sum_of_lanes(lanes.matrix[k]);
@@ -176,6 +96,7 @@ class OptionBackendImpl final : public OptionBackend {
       sum.concentration[a] = sum_of_lanes(lanes.concentration[a]);
       sum.density_slope[a] = sum_of_lanes(lanes.density_slope[a]);
     }
+    sum.fastest2 = largest_lane(lanes.fastest2);
     return sum;
   }
   static Symmetric<D> correction_of(MomentSum<double, D> const& sum) {
@@ -186,10 +107,10 @@ class OptionBackendImpl final : public OptionBackend {
 
   void find_density_gradients(Search const& search) {
     std::tuple const terms{Moments<Real>{true}};
-    for_each_particle([&](std::size_t i) {
+    around_.for_each_particle([&](std::size_t i) {
       MomentSum<Real, D> lanes{};
-      add_fluid(search, i, terms, lanes);
-      add_mirrored(search, i, terms, lanes);
+      around_.add_fluid(search, i, terms, lanes);
+      around_.add_mirrored(search, i, terms, lanes);
       MomentSum<double, D> const sum = in_one(lanes);
       Symmetric<D> const k = correction_of(sum);
       auto const entry = [&k](int at) { return k[static_cast<std::size_t>(at)]; };
@@ -210,20 +131,16 @@ class OptionBackendImpl final : public OptionBackend {
   /// Correction of gradients and shifting, both from all that is around a particle.
   void look_around(ParticleStore& store, Search const& search) {
     std::tuple const terms{Moments<Real>{false}};
-    for_each_particle([&](std::size_t i) {
+    around_.for_each_particle([&](std::size_t i) {
       MomentSum<Real, D> lanes{};
-      add_all(search, i, terms, lanes);
+      around_.add_all(search, i, terms, lanes);
       MomentSum<double, D> const sum = in_one(lanes);
       if constexpr (has_gradients) {
         Symmetric<D> const k = correction_of(sum);
         if (options_.corrected_gradient) std::copy(k.begin(), k.end(), gradients_[i].begin() + D);
       }
       if (!(options_.shifting > 0.0)) return;
-      double speed2 = 0.0;
-      for (int axis = 0; axis < D; ++axis)
-        speed2 += std::pow(records_.fluid.get(i, PairField::velocity, axis), 2);
-      auto const shift =
-          shifting_velocity<D>(options_.shifting, own_smoothing(i), std::sqrt(speed2), sum);
+      auto const shift = shifting_velocity<D>(options_.shifting, around_.own_smoothing(i), sum);
       for (int axis = 0; axis < D; ++axis)
         store.component(Field::drift, axis)[i] = shift[static_cast<std::size_t>(axis)];
     });
@@ -231,26 +148,26 @@ class OptionBackendImpl final : public OptionBackend {
 
   /// Records are filled only when nobody reads them any more.
   void put_gradients(Search const& search) {
-    for_each_particle([&](std::size_t i) {
+    around_.for_each_particle([&](std::size_t i) {
       for (int a = 0; a < D; ++a)
-        records_.fluid.set(i, PairField::density_gradient,
-                           gradients_[i][static_cast<std::size_t>(a)], a);
+        around_.records.fluid.set(i, PairField::density_gradient,
+                                  gradients_[i][static_cast<std::size_t>(a)], a);
       for (int k = 0; k < symmetric_size<D>; ++k)
-        records_.fluid.set(i, PairField::correction, gradients_[i][static_cast<std::size_t>(D + k)],
-                           k);
+        around_.records.fluid.set(i, PairField::correction,
+                                  gradients_[i][static_cast<std::size_t>(D + k)], k);
     });
-    records_.refresh_images(search);
+    around_.records.refresh_images(search);
   }
 
   OptionOutcome sum_terms(ParticleStore& store, Search const& search) const {
-    auto const terms = option_terms<Real>(sweep_, options_);
+    auto const terms = option_terms<Real>(around_.sweep, options_);
     auto const block = [&](std::size_t begin, std::size_t end) {
       OptionOutcome outcome;
       for (std::size_t i = begin; i < end; ++i) {
         Sum sum{};
-        add_fluid(search, i, terms, sum);
+        around_.add_fluid(search, i, terms, sum);
         Sum const from_fluid = sum;
-        add_walls(search, i, terms, sum);
+        around_.add_walls(search, i, terms, sum);
         add_to_store(store, i, sum);
         tell(store, i, sum, from_fluid, outcome);
       }
@@ -260,7 +177,7 @@ class OptionBackendImpl final : public OptionBackend {
       a.add(b);
       return a;
     };
-    return reduce_blocks(records_.fluid.owned(), OptionOutcome{}, block, combine);
+    return reduce_blocks(around_.records.fluid.owned(), OptionOutcome{}, block, combine);
   }
 
   void add_to_store(ParticleStore& store, std::size_t i, Sum const& sum) const {
@@ -280,22 +197,23 @@ class OptionBackendImpl final : public OptionBackend {
             OptionOutcome& outcome) const {
     double const mass = store.scalar(Field::mass)[i];
     double const rho = store.scalar(Field::density)[i];
-    double const h = own_smoothing(i);
+    double const h = around_.own_smoothing(i);
     OptionOutcome own;
-    own.viscous_rate = options_.viscosity == ViscosityForm::off
-                           ? 0.0
-                           : records_.fluid.get(i, PairField::dynamic_viscosity) / (rho * h * h);
+    own.viscous_rate =
+        options_.viscosity == ViscosityForm::off
+            ? 0.0
+            : around_.records.fluid.get(i, PairField::dynamic_viscosity) / (rho * h * h);
     own.viscous_particle = i;
     own.penalty_rate = sum_of_lanes(all.stiffness) / mass;
     own.penalty_particle = i;
-    if (sweep_.walls_move)
+    if (around_.sweep.walls_move)
       own.wall_power = mass * sum_of_lanes(all.energy_rate - from_fluid.energy_rate);
     for (int axis = 0; axis < D; ++axis) {
       double const from_walls =
           mass * sum_of_lanes(all.acceleration[axis] - from_fluid.acceleration[axis]);
       own.wall_force[static_cast<std::size_t>(axis)] = from_walls;
-      if (sweep_.walls_move)
-        own.wall_power += from_walls * records_.fluid.get(i, PairField::velocity, axis);
+      if (around_.sweep.walls_move)
+        own.wall_power += from_walls * around_.records.fluid.get(i, PairField::velocity, axis);
     }
     own.penalty_energy = sum_of_lanes(all.potential);
     own.energy.viscosity = mass * sum_of_lanes(from_fluid.viscous_heat);
@@ -305,10 +223,8 @@ class OptionBackendImpl final : public OptionBackend {
     outcome.add(own);
   }
 
-  SweepParameters sweep_;
   OptionParameters options_;
-  UniformFields<Slot> uniform_;
-  OptionRecords<D, flavour, Scheme> records_;
+  OptionNeighbours<D, flavour, Scheme> around_;
   std::vector<double> scratch_;
   std::vector<Gradients> gradients_;
 };
