@@ -15,7 +15,7 @@ namespace moraine {
 ///   auto const file = shared_data("seismic/NAME.csv");
 ///   if (file.empty()) GTEST_SKIP() << no_shared_data;
 inline std::filesystem::path shared_data(std::string const& name) {
-  return reference_data(name, MORAINE_SOURCE_DIR);
+  return reference_file(name, MORAINE_SOURCE_DIR);
 }
 
 inline constexpr char const* no_shared_data = no_reference_data;

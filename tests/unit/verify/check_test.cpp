@@ -140,11 +140,11 @@ TEST(ReferenceData, IsWhereTheEnvironmentSaysOrBesideTheFolder) {
   char const* const told = std::getenv("MORAINE_REFERENCE_DATA");
   std::string const before = told == nullptr ? "" : told;
   unsetenv("MORAINE_REFERENCE_DATA");
-  EXPECT_EQ(reference_data("sub/a.csv", root / "sources"), root / "shared" / "data" / "sub/a.csv");
-  EXPECT_TRUE(reference_data("sub/b.csv", root / "sources").empty());
+  EXPECT_EQ(reference_file("sub/a.csv", root / "sources"), root / "shared" / "data" / "sub/a.csv");
+  EXPECT_TRUE(reference_file("sub/b.csv", root / "sources").empty());
   setenv("MORAINE_REFERENCE_DATA", (root / "shared").c_str(), 1);
-  EXPECT_TRUE(reference_data("sub/a.csv", root / "sources").empty());
-  EXPECT_EQ(reference_data("data/sub/a.csv", root / "x"), root / "shared" / "data/sub/a.csv");
+  EXPECT_TRUE(reference_file("sub/a.csv", root / "sources").empty());
+  EXPECT_EQ(reference_file("data/sub/a.csv", root / "x"), root / "shared" / "data/sub/a.csv");
   if (told != nullptr)
     setenv("MORAINE_REFERENCE_DATA", before.c_str(), 1);
   else

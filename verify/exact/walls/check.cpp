@@ -57,7 +57,7 @@ double profile_error(Simulation const& simulation) {
 }
 
 CheckResult still_water(Method const& method, Slip slip, Effort effort) {
-  double const end = effort == Effort::quick ? 0.03 : 0.5;
+  double const end = effort == Effort::quick ? 0.03 : 0.1;
   Simulation simulation(build_model(still_tank(method.method, slip, 0.0078125, end)));
   while (simulation.running()) simulation.advance();
   return at_most(fmt::format("walls: still water, {}, {}", method.name,

@@ -130,7 +130,7 @@ CheckResult impulse(std::vector<DamBreak> const& dams) {
 CheckResult height(DamBreak const& dam, std::string const& gauge, std::string const& measured,
                    double tolerance) {
   std::string const name = "kleefsman: height at " + gauge;
-  auto const file = reference_data(measurements);
+  auto const file = reference_file(measurements);
   if (file.empty()) return skip(name, no_reference_data);
   Course const experiment(read_table_csv(file), "t_s", measured);
   Course const computed = dam.course(gauge + level);
