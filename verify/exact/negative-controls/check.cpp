@@ -82,11 +82,15 @@ double release_error(double spacing, SmoothingMode mode) {
 void add_constant_length(std::vector<CheckResult>& results) {
   double const coarse = release_error(0.4e-3, SmoothingMode::constant);
   double const fine = release_error(0.2e-3, SmoothingMode::constant);
+  double const variable = release_error(0.2e-3, SmoothingMode::density);
   results.push_back(
       at_most("constant h of 1.2 spacings: order of the velocity: none",
               convergence_order(coarse, fine), 0.25, "-",
               fmt::format("products into nothing, L1 errors {:.3g}, {:.3g} at 0.4 and 0.2 mm",
                           coarse, fine)));
+  results.push_back(at_most("constant h of 1.2 spacings: error of variable / constant h",
+                            variable / fine, 0.25, "-",
+                            fmt::format("L1 errors {:.3g}, {:.3g} at 0.2 mm", variable, fine)));
 }
 
 }  // namespace
