@@ -70,7 +70,8 @@ double release_error(double spacing, SmoothingMode mode) {
   c.materials.front().burn.kind = BurnKind::instantaneous;
   c.numerics.spacing = spacing;
   c.numerics.smoothing_factor = 1.2;
-  c.numerics.smoothing = {mode, PairSmoothing::geometric, 0.5, 8.0};
+  c.numerics.smoothing = {
+      .mode = mode, .of_pair = PairSmoothing::geometric, .least = 0.5, .most = 8.0};
   SlabRelease const exact({tnt, tnt.reference_density, 0.0, tnt.reference_energy}, std::nullopt,
                           0.1);
   Simulation const simulation = run_to_end(c);
