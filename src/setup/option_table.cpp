@@ -14,7 +14,7 @@ void add_density(std::vector<Entry<Case>>& table) {
        .names = {"continuity", "summation", "normalised"},
        .meaning = "density as a state that the continuity equation advances, or summed over "
                   "neighbours in each step, as it is or divided by the sum of their volumes",
-       .source = "Monaghan (1992), eqs 3.4 and 3.9; Chen, Beraun and Carney (1999)"}));
+       .source = "Monaghan (1992); Chen, Beraun and Carney (1999)"}));
   table.push_back(member<Case, numerics, &Numerics::diffusion>(
       {.key = "numerics.density_diffusion_form",
        .type = ValueType::choice,
@@ -22,7 +22,7 @@ void add_density(std::vector<Entry<Case>>& table) {
        .names = {"hydrostatic", "gradient"},
        .meaning = "what density diffusion leaves alone: the gradient of hydrostatic equilibrium, "
                   "or any smooth one (delta-SPH)",
-       .source = "Fourtakas et al. (2019), eq. 9; Antuono et al. (2010), eq. 8"}));
+       .source = "Fourtakas et al. (2019), eq. 9; Antuono et al. (2010)"}));
 }
 
 void add_motion(std::vector<Entry<Case>>& table) {
@@ -39,14 +39,14 @@ void add_motion(std::vector<Entry<Case>>& table) {
        .limits = Limits::between(0.0, 1.0),
        .meaning = "XSPH: share of the mean velocity of neighbours in the motion of places; 0.5 is "
                   "usual, 0: none",
-       .source = "Monaghan, J. Comput. Phys. 82 (1989) 1, eq. 2.6"}));
+       .source = "Monaghan, J. Comput. Phys. 82 (1989) 1"}));
   table.push_back(member<Case, numerics, &Numerics::shifting>(
       {.key = "numerics.shifting",
        .preset = 0.0,
        .limits = Limits::between(0.0, 100.0),
        .meaning = "coefficient of the shifting of particles to where they are fewer, away from "
                   "free surfaces; 20 to 40 is usual, 0: none",
-       .source = "Lind et al. (2012); Skillen et al. (2013), eq. 13"}));
+       .source = "Lind et al. (2012); Skillen et al. (2013)"}));
   table.push_back(member<Case, numerics, &Numerics::gradient_correction>(
       {.key = "numerics.gradient_correction",
        .type = ValueType::choice,
@@ -63,7 +63,7 @@ void add_penalty(std::vector<Entry<Case>>& table) {
        .limits = Limits::not_negative(),
        .meaning = "strength of the repulsion between particles of different materials, in N in 2D, "
                   "J in 3D, Pa m in 1D; 0: none",
-       .source = "1e5 is usual for blast; Liu and Liu (2003), section 6.3.4"}));
+       .source = "1e5 is usual for blast; Liu and Liu (2003), chapter 6"}));
   table.push_back(member<Case, numerics, penalty, &PenaltySpec::range>(
       {.key = "numerics.penalty.range",
        .type = ValueType::choice,

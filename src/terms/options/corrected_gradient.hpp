@@ -13,7 +13,7 @@ namespace moraine {
 ///   mixed:         the same with p_i / (rho_i rho_j), p_j / (rho_i rho_j)
 ///   energy:        de_i/dt += share sum_j m_j v_ij . (...) grad_i W_ij, share 1/2, at walls 1
 ///
-/// Source: Bonet & Lok, Comput. Methods Appl. Mech. Eng. 180 (1999) 97, eqs 44-46 and 59. Together
+/// Source: Bonet & Lok, Comput. Methods Appl. Mech. Eng. 180 (1999) 97. Together
 /// with the terms of the main sweep, whose gradient is plain, it makes L_i grad W and its adjoint.
 /// L_i grad W is exact for linear velocities. Momentum and energy are conserved; the force is not
 /// along x_ij. A wall has K_j = 0, and with free slip only the velocity along its normal counts.

@@ -9,7 +9,7 @@ namespace moraine {
 ///
 ///   d rho_i / dt += - delta c_ij sum_j h (m_j / rho_ij) (grad rho_i + grad rho_j) . grad_i W_ij
 ///
-/// Source: Antuono, Colagrossi, Marrone & Molteni, Comput. Phys. Commun. 181 (2010) 532, eqs 8-10:
+/// Source: Antuono, Colagrossi, Marrone & Molteni, Comput. Phys. Commun. 181 (2010) 532:
 /// together with terms/density_diffusion.hpp (whose hydrostatic part is then zero) it makes
 /// psi_ij = 2 (rho_i - rho_j) x_ij / r^2 - (grad rho_i + grad rho_j). grad rho: corrected gradient
 /// of terms/options/moments.hpp, over the neighbours of the same reference density. Departure:

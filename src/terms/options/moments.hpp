@@ -56,7 +56,7 @@ struct Moments {
 
 /// K = s (M^-1 - 1), which makes the kernel gradient exact for linear fields: L grad W, L = 1 + K.
 ///
-/// Source: Bonet & Lok, Comput. Methods Appl. Mech. Eng. 180 (1999) 97, eq. 44. M: the sum
+/// Source: Bonet & Lok, Comput. Methods Appl. Mech. Eng. 180 (1999) 97. M: the sum
 /// `matrix`, the unit matrix where neighbours are all around. Where they are few M is nearly
 /// singular: s falls from 1 to 0 while sqrt(d) / |M^-1|, which is 1 inside, 0.5 to 0.7 at a
 /// straight free surface and tends to M's smallest eigenvalue times sqrt(d), falls from 0.4 to 0.2;
@@ -81,8 +81,8 @@ Symmetric<D> gradient_correction(Symmetric<D> const& m) {
 ///   dv_i = - A h_i V_i f_i grad C_i,   at most V_i / 2,   V_i = max_j |v_ij|,
 ///   f_i = clamp((tr M / d - 0.75) / 0.2)
 ///
-/// Source: Lind, Xu, Stansby & Rogers, J. Comput. Phys. 231 (2012) 1499, eq. 15, with the diffusion
-/// coefficient of Skillen et al., Comput. Methods Appl. Mech. Eng. 265 (2013) 163, eq. 13: A |v| h
+/// Source: Lind, Xu, Stansby & Rogers, J. Comput. Phys. 231 (2012) 1499, with the diffusion
+/// coefficient of Skillen et al., Comput. Methods Appl. Mech. Eng. 265 (2013) 163: A |v| h
 /// dt. grad C: sum `concentration`. f: own choice; the trace of M, the divergence of position of
 /// Lee et al., J. Comput. Phys. 227 (2008) 8417, is d inside and about d / 2 at a free surface, so
 /// that nothing is shifted there. Departure: V_i where the source has |v_i|, which shifts a liquid

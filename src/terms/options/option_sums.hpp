@@ -16,7 +16,7 @@ struct DensitySum {
 ///
 ///   rho_i = sum_j m_j W_ij,   normalised: divided by sum_j (m_j / rho_j) W_ij
 ///
-/// Source: Monaghan, Annu. Rev. Astron. Astrophys. 30 (1992) 543, eq. 3.4; Chen, Beraun & Carney,
+/// Source: Monaghan, Annu. Rev. Astron. Astrophys. 30 (1992) 543; Chen, Beraun & Carney,
 /// Int. J. Numer. Meth. Eng. 46 (1999) 231 (normalised: rho_j there are plain sums).
 struct SummedDensity {
   template <bool wall, class Real, int D, class Self, class Neighbour>

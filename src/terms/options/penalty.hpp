@@ -11,7 +11,7 @@ namespace moraine {
 ///   U_ij = P ((p^n1 - 1) / n1 - (p^n2 - 1) / n2)
 ///   k_ij = - d|f| / dr = P ((n1 + 1) p^n1 - (n2 + 1) p^n2) / r^2
 ///
-/// Source: Liu & Liu, Smoothed Particle Hydrodynamics (2003), section 6.3.4 (n1 6, n2 4 in codes
+/// Source: Liu & Liu, Smoothed Particle Hydrodynamics (2003), chapter 6 (n1 6, n2 4 in codes
 /// that descend from it; 12 and 6 here by default). P in N (per metre of thickness) in 2D, J in 3D.
 /// Departure: the source has lambda = 1, which repels at rest wherever h is more than a spacing;
 /// with lambda = spacing / h particles at rest on a lattice feel nothing. f is the slope of U, so

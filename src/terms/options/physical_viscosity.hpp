@@ -15,8 +15,8 @@ namespace moraine {
 ///                                wall
 ///
 /// Source: Morris, Fox & Zhu, J. Comput. Phys. 136 (1997) 214, eq. 22 (morris); Cleary, Appl. Math.
-/// Model. 22 (1998) 981, eq. 9, with the factor 2 (d + 2) of Monaghan, Rep. Prog. Phys. 68 (2005)
-/// 1703, section 8.2 (Cleary's 4.963 is fitted to lattices), and the harmonic mean of mu.
+/// Model. 22 (1998) 981, with the factor 2 (d + 2) of Monaghan, Rep. Prog. Phys. 68 (2005)
+/// 1703 (Cleary's 4.963 is fitted to lattices), and the harmonic mean of mu.
 /// mu: dynamic viscosity in Pa s. The first acts along v_ij, so it does not conserve angular
 /// momentum; the second acts along x_ij and does. Both conserve momentum and energy. A wall shows
 /// the viscosity of the particle that looks at it.

@@ -9,7 +9,7 @@ namespace moraine {
 ///
 ///   dx_i/dt = v_i + epsilon sum_j (m_j / rho_ij) (v_j - v_i) W_ij
 ///
-/// Source: Monaghan, J. Comput. Phys. 82 (1989) 1, eq. 2.6. epsilon 0 to 1, 0.5 is usual. v and the
+/// Source: Monaghan, J. Comput. Phys. 82 (1989) 1. epsilon 0 to 1, 0.5 is usual. v and the
 /// equations of motion stay what they are. sum m_i (dx_i/dt - v_i) = 0, since rho_ij is symmetric.
 /// Walls take no part.
 template <class Real>
