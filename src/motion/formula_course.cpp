@@ -1,46 +1,16 @@
 // Formulas of time.
-#include <muParser.h>
-
 #include <algorithm>
-#include <numbers>
-#include <stdexcept>
 #include <string>
-#include <string_view>
 
+#include "motion/formula.hpp"
 #include "motion/time_course.hpp"
 
 namespace moraine {
 namespace {
 
-/// Whether the text holds a lone =, which muParser takes for an assignment.
-bool assigns(std::string_view text) {
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    if (text[k] != '=') continue;
-    if (k + 1 < text.size() && text[k + 1] == '=')
-      ++k;
-    else if (k == 0 || std::string_view("!<>").find(text[k - 1]) == std::string_view::npos)
-      return true;
-  }
-  return false;
-}
-
-class Formula final : public TimeCourse::Rule {
+class FormulaCourse final : public TimeCourse::Rule {
  public:
-  Formula(std::string const& text, double step) : step_(step) {
-    if (assigns(text)) throw std::invalid_argument("nothing can be assigned; compare with ==");
-    try {
-      parser_.DefineVar("t", &time_);
-      parser_.DefineConst("pi", std::numbers::pi);
-      parser_.DefineConst("e", std::numbers::e);
-      parser_.DefineConst("g0", 9.80665);
-      parser_.SetExpr(text);
-      parser_.Eval();
-    } catch (mu::ParserError const& error) {
-      throw std::invalid_argument(error.GetMsg());
-    }
-    if (parser_.GetNumResults() != 1)
-      throw std::invalid_argument("several formulas where one is expected");
-  }
+  FormulaCourse(std::string const& text, double step) : step_(step), formula_(text, {"t"}) {}
 
   CourseState at(double time) const override {
     // The formula need not make sense before t = 0: near it the stencil stays behind.
@@ -61,20 +31,16 @@ class Formula final : public TimeCourse::Rule {
   }
 
  private:
-  double value(double time) const {
-    time_ = time;
-    return parser_.Eval();
-  }
+  double value(double time) const { return formula_({&time, 1}); }
 
   double step_;  // s
-  mutable double time_ = 0.0;
-  mu::Parser parser_;
+  Formula formula_;
 };
 
 }  // namespace
 
 TimeCourse TimeCourse::formula(std::string const& text, double step) {
-  return TimeCourse(std::make_shared<Formula const>(text, step));
+  return TimeCourse(std::make_shared<FormulaCourse const>(text, step));
 }
 
 }  // namespace moraine

@@ -19,11 +19,10 @@ class TimeCourse {
  public:
   TimeCourse() = default;
 
-  /// A formula of t [s], for example "0.05 * sin(2 * pi * 0.8 * t)", in the language of muParser
-  /// (operators + - * / ^, comparisons, a ? b : c, sin, cos, tan, exp, log, sqrt, abs, min, max,
-  /// ...) with the constants pi, e and g0 = 9.80665. Derivatives are differences of fourth order
-  /// over steps of `step` [s]; a kink is rounded over twice that time. Throws
-  /// std::invalid_argument, with the place in the text, where it is no such formula.
+  /// A formula (motion/formula.hpp) of t [s], for example "0.05 * sin(2 * pi * 0.8 * t)".
+  /// Derivatives are differences of fourth order over steps of `step` [s]; a kink is rounded over
+  /// twice that time. Throws std::invalid_argument, with the place in the text, where it is no
+  /// such formula.
   static TimeCourse formula(std::string const& text, double step);
 
   /// Values at times that increase, joined by a natural cubic spline: the second derivative is

@@ -15,6 +15,7 @@
 
 #include "base/input_error.hpp"
 #include "matter/eos/eos.hpp"
+#include "motion/formula.hpp"
 #include "setup/burn_spec.hpp"
 #include "setup/motion_spec.hpp"
 #include "setup/probe_spec.hpp"
@@ -34,6 +35,12 @@ struct Rotation {
   Point axis{0.0, 0.0, 1.0};  // of any length but zero; always z in 2D
 };
 
+/// Velocities as formulas of the place, one for each axis; none: zero.
+struct VelocityField {
+  std::vector<std::string> texts;  // of x, y, z [m], in m/s
+  std::vector<Formula> formulas;   // what these say; set where the case is checked
+};
+
 /// What the particles of a region start with. At most one of pressure, hydrostatic_level,
 /// lithostatic_load is given; absent values follow from the material: reference density, reference
 /// specific energy.
@@ -44,6 +51,7 @@ struct InitialState {
   std::optional<double> pressure;           // Pa; density or energy is solved for it
   std::optional<double> hydrostatic_level;  // m, height of the free surface against gravity
   Rotation rotation{};                      // added to the velocity
+  VelocityField velocity_field{};           // added to the velocity
   std::optional<double> lithostatic_load;   // Pa, on top of the weight of all that lies above
 };
 

@@ -135,8 +135,12 @@ class Warnings {
 
   double fastest_start() const {
     double square = 0.0;
-    for (auto const& region : case_.regions)
-      square = std::max(square, std::pow(length(region.initial.velocity), 2));
+    for (std::size_t i = fluid_.begin; i < fluid_.end; ++i) {
+      double own = 0.0;
+      for (int axis = 0; axis < case_.dimension; ++axis)
+        own += std::pow(store_.component(Field::velocity, axis)[i], 2);
+      square = std::max(square, own);
+    }
     return std::sqrt(square);
   }
 

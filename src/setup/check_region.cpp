@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -24,6 +25,7 @@ class RegionCheck {
     bool const sound = check_shapes(region_, key_);
     check_materials(sound);
     check_rotation();
+    check_velocity_field();
     if (region_.initial.lithostatic_load) check_lithostatic();
   }
 
@@ -85,6 +87,27 @@ class RegionCheck {
       source_.report_value(axis, "is given in 2D", "leave it out: the axis is z");
     else if (length(rotation.axis) == 0.0)
       source_.report_value(axis, "must not be zero");
+  }
+
+  void check_velocity_field() {
+    VelocityField& field = region_.initial.velocity_field;
+    std::string const key = key_ + "velocity_field";
+    if (field.texts.empty() || !source_.good(key)) return;
+    if (field.texts.size() != static_cast<std::size_t>(case_.dimension))
+      return source_.report_value(key,
+                                  fmt::format("has {} formulas; {} are expected, one for each axis",
+                                              field.texts.size(), case_.dimension));
+    field.formulas.clear();
+    for (std::string const& text : field.texts) {
+      try {
+        field.formulas.emplace_back(text, std::vector<std::string>{"x", "y", "z"});
+      } catch (std::invalid_argument const& error) {
+        return source_.report_value(
+            key,
+            fmt::format("holds \"{}\", which is no formula of x, y, z: {}", text, error.what()),
+            "formulas have no units: lengths in m, velocities in m/s");
+      }
+    }
   }
 
   void check_lithostatic() {

@@ -51,10 +51,14 @@ std::optional<MaterialState> initial_state(Eos const& eos, InitialState const& i
 }
 
 Point initial_velocity(InitialState const& initial, Point const& position) {
+  Point velocity = initial.velocity;
+  auto const& formulas = initial.velocity_field.formulas;
+  for (std::size_t axis = 0; axis < formulas.size(); ++axis)
+    velocity[axis] += formulas[axis](position);
   Rotation const& rotation = initial.rotation;
-  if (!rotation.rate) return initial.velocity;
+  if (!rotation.rate) return velocity;
   Point const turn = scale(*rotation.rate / length(rotation.axis), rotation.axis);
-  return add(initial.velocity, cross(turn, subtract(position, rotation.center)));
+  return add(velocity, cross(turn, subtract(position, rotation.center)));
 }
 
 }  // namespace moraine

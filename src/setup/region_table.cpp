@@ -70,6 +70,20 @@ void add_spacing_entries(std::vector<Entry<RegionSpec>>& table) {
 }
 
 void add_start_entries(std::vector<Entry<RegionSpec>>& table) {
+  constexpr auto field = &InitialState::velocity_field;
+  Entry<RegionSpec> velocities =
+      member<RegionSpec, &RegionSpec::initial, field, &VelocityField::texts>(
+          {.section = Section::region,
+           .key = "velocity_field",
+           .type = ValueType::texts,
+           .preset_note = "none",
+           .meaning = "velocities in m/s that are added to the velocity: formulas of the place x, "
+                      "y, z in m, one for each axis, such as \"0.1 * sin(2 * pi * y)\""});
+  velocities.get = [](RegionSpec const& region) {
+    auto const& texts = region.initial.velocity_field.texts;
+    return texts.empty() ? Value() : Value(texts);
+  };
+  table.push_back(std::move(velocities));
   table.push_back(rotation_entry<&Rotation::rate>(
       {.key = "rotation.rate",
        .quantity = Quantity::angular_velocity,

@@ -3,10 +3,12 @@
 
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <string>
 
 #include "base/input_error.hpp"
 #include "setup/fill.hpp"
+#include "setup/initial_state.hpp"
 #include "setup/read_case.hpp"
 #include "setup/used_case.hpp"
 #include "support/bodies.hpp"
@@ -157,6 +159,15 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{2, WATER "box = { min = [0, 0], max = [1, 1] }\nrotation = { rate = 1, axis = [1, 0] }",
             "case.toml:15:31: region.pool.rotation.axis: [1, 0] is given in 2D; leave it out: the "
             "axis is z"},
+        Bad{2, WATER "box = { min = [0, 0], max = [1, 1] }\nvelocity_field = [\"x\"]",
+            "case.toml:15:18: region.pool.velocity_field: [\"x\"] has 1 formulas; 2 are expected, "
+            "one "
+            "for each axis"},
+        Bad{2, WATER "box = { min = [0, 0], max = [1, 1] }\nvelocity_field = [\"x\", \"2 m/s\"]",
+            "case.toml:15:18: region.pool.velocity_field: [\"x\", \"2 m/s\"] holds \"2 m/s\", "
+            "which is no "
+            "formula of x, y, z: Unexpected token \"m\" found at position 2.; formulas have no "
+            "units: lengths in m, velocities in m/s"},
         Bad{2, WATER "box = { min = [0, 0], max = [1, 1] }\nlithostatic_load = -1",
             "case.toml:15:20: region.pool.lithostatic_load: -1 must be at least 0 Pa"},
         Bad{2, WATER "box = { min = [0, 0], max = [1, 1] }\nlithostatic_load = 0\npressure = 1",
@@ -204,6 +215,7 @@ TEST(UsedGeometry, ReadsBackToTheSameCase) {
       text_of(2, R"(layers = { materials = ["water", "water"], thickness = ["30 cm"], top = 0.9 }
 polygon.corners = [["10 cm", 0], [1, 0], [0, 1]]
 rotation = { rate = "10 deg/s", center = [0.1, 0.2] }
+velocity_field = ["x * y", "sin(pi * x) / 10"]
 lithostatic_load = "1 kPa"
 plus = [{ cylinder = { start = [0, 0], end = [1, 1], radius = 0.3 } }]
 minus = [{ disc = { center = [0, 0], radius = 0.1 }, plus = [{ box = { min = [0, 0], max = [0.1, 0.1] } }], minus = [{ half_plane = { point = [0, 0], normal = [3, 4] } }] }]
@@ -214,6 +226,9 @@ minus = [{ disc = { center = [0, 0], radius = 0.1 }, plus = [{ box = { min = [0,
   EXPECT_EQ(used_case(again), once);
   EXPECT_EQ(again.regions[0].layers.thickness, (std::vector<double>{0.3}));
   EXPECT_EQ(again.regions[0].initial.rotation.center, (Point{0.1, 0.2, 0}));
+  Point const start = initial_velocity(again.regions[0].initial, {0.5, 0.2, 0.0});
+  EXPECT_DOUBLE_EQ(start[0], 0.5 * 0.2);
+  EXPECT_DOUBLE_EQ(start[1], 0.1 + (0.5 - 0.1) * std::numbers::pi / 18.0);  // and the rotation
   ASSERT_EQ(again.regions[0].minus.size(), 1U);
   auto const& inner = again.regions[0].minus[0].minus[0];
   EXPECT_DOUBLE_EQ(std::get<HalfPlane>(inner.shape).normal[1], 0.8);
