@@ -22,6 +22,8 @@ std::vector<CheckResult> check_energy_order(Effort effort);
 std::vector<CheckResult> check_hydrostatic_pressure(Effort effort);
 std::vector<CheckResult> check_sloshing(Effort effort);
 std::vector<CheckResult> check_viscous_flow(Effort effort);
+std::vector<CheckResult> check_taylor_green(Effort effort);
+std::vector<CheckResult> check_standing_wave(Effort effort);
 std::vector<CheckResult> check_walls(Effort effort);
 std::vector<CheckResult> check_martin_moyce_front(Effort effort);
 std::vector<CheckResult> check_noh(Effort effort);
@@ -56,6 +58,8 @@ constexpr std::array all_checks{
           check_sloshing},
     Check{"viscous-flow", "liquid between two plates flows as the series solutions say",
           check_viscous_flow},
+    Check{"taylor-green", "vortices decay as fast as viscosity says", check_taylor_green},
+    Check{"standing-wave", "a small wave keeps its period and its amplitude", check_standing_wave},
     Check{"walls",
           "walls that mirror the fluid keep water still and reflect sound; none leak or heat",
           check_walls},
