@@ -11,6 +11,7 @@
 #include "blast/relation.hpp"
 #include "end_to_end/blast_command.hpp"
 #include "output/table_csv.hpp"
+#include "support/places.hpp"
 
 namespace moraine {
 namespace {
@@ -48,7 +49,7 @@ TEST_F(BlastCommand, HelpNamesWhatItsListsHold) {
 
 // Every `$ moraine blast ...` of docs/blast.md prints what the page says, to the last digit.
 TEST_F(BlastCommand, PageHoldsWhatTheProgramSays) {
-  std::istringstream page(bytes_of(std::string(MORAINE_SOURCE_DIR) + "/docs/blast.md"));
+  std::istringstream page(bytes_of(source_folder() + "/docs/blast.md"));
   int compared = 0;
   for (std::string line; std::getline(page, line);) {
     if (!line.starts_with("$ moraine blast ")) continue;

@@ -15,6 +15,7 @@
 #include "end_to_end/small_case.hpp"
 #include "records/record_reader.hpp"
 #include "support/help_examples.hpp"
+#include "support/places.hpp"
 #include "support/program.hpp"
 #include "unit/output/scratch_folder.hpp"
 
@@ -65,7 +66,7 @@ class MotionCommand : public ScratchFolder {
   }
 
   void expect_page(std::string const& page) {
-    auto const shown = shown_commands(bytes_of(std::string(MORAINE_SOURCE_DIR) + page));
+    auto const shown = shown_commands(bytes_of(source_folder() + page));
     ASSERT_GE(shown.size(), 3u) << page;
     for (ShownCommand const& example : shown) {
       CommandResult const result = call_line(example.command);

@@ -16,6 +16,7 @@
 #include "setup/read_case.hpp"
 #include "setup/starters.hpp"
 #include "setup/toml.hpp"
+#include "support/places.hpp"
 #include "unit/output/scratch_folder.hpp"
 #include "verify/shipped_cases.hpp"
 
@@ -221,7 +222,7 @@ class CaseMutation : public ScratchFolder {
 
   /// The schema must accept the cases in good/ and refuse those in bad/.
   void compare() const {
-    std::string const command = "/usr/bin/python3 " MORAINE_SOURCE_DIR "/tools/check_schema.py " +
+    std::string const command = "/usr/bin/python3 " + source_folder() + "/tools/check_schema.py " +
                                 path("schema.json").string() + ' ' + path("good").string() + ' ' +
                                 path("bad").string() + " > " + path("log").string() + " 2>&1";
     int const status = std::system(command.c_str());

@@ -15,6 +15,7 @@
 #include "setup/read_case.hpp"
 #include "step/simulation_error.hpp"
 #include "support/memory_archive.hpp"
+#include "support/places.hpp"
 #include "support/small_models.hpp"
 
 namespace moraine {
@@ -250,7 +251,7 @@ std::vector<std::string> shipped() {
   std::vector<std::string> files;
   for (char const* const folder : {"cases", "starters"})
     for (auto const& entry : std::filesystem::recursive_directory_iterator(
-             std::filesystem::path(MORAINE_SOURCE_DIR) / folder))
+             std::filesystem::path(source_folder()) / folder))
       if (entry.path().extension() == ".toml") files.push_back(entry.path().string());
   std::sort(files.begin(), files.end());
   return files;

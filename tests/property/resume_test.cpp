@@ -15,6 +15,7 @@
 #include "output/checkpoint/hdf5_archive.hpp"
 #include "setup/build_model.hpp"
 #include "setup/read_case.hpp"
+#include "support/places.hpp"
 #include "support/small_models.hpp"
 
 namespace moraine {
@@ -44,7 +45,7 @@ class Resume : public testing::TestWithParam<std::string> {
   /// spacing, "NAME+options", "NAME+summed" and "NAME+penalty" with optional terms.
   Model model() const {
     auto const [name, variant] = parts();
-    Case c = read_case(std::string(MORAINE_SOURCE_DIR "/cases/") + name + "/case.toml");
+    Case c = read_case(source_folder() + "/cases/" + name + "/case.toml");
     if (variant == "shaken") {
       RigidMotion& motion = c.walls[0].motion.motion.emplace();
       motion.translation[0] = TimeCourse::formula("0.05 * sin(40 * t)", 1e-4);

@@ -10,6 +10,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "support/places.hpp"
+
 namespace moraine {
 namespace {
 
@@ -28,7 +30,7 @@ std::string text_of(std::filesystem::path const& file) {
   int const err = open("err", flags, 0600);
   if (ready && out >= 0 && err >= 0 && dup2(out, STDOUT_FILENO) >= 0 &&
       dup2(err, STDERR_FILENO) >= 0)
-    execv(MORAINE_PROGRAM, arguments);
+    execv(program_file(), arguments);
   _exit(127);
 }
 

@@ -4,12 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "support/places.hpp"
+#include "support/shared_data.hpp"
 
 namespace moraine {
 
@@ -39,23 +41,14 @@ inline std::vector<std::vector<double>> csv_numbers(std::filesystem::path const&
 
 /// Rows of numbers of a file in tests/data. A missing file fails the test.
 inline std::vector<std::vector<double>> reference_data(std::string const& name) {
-  auto rows = csv_numbers(std::string(MORAINE_SOURCE_DIR) + "/tests/data/" + name);
+  auto rows = csv_numbers(source_folder() + "/tests/data/" + name);
   EXPECT_FALSE(rows.empty()) << name;
   return rows;
-}
-
-/// Place of a file of the shared data, by its path there ("blast/sod_exact_t0.2.csv"): below the
-/// folder that the environment variable MORAINE_SHARED_DATA names, else below ../shared/data.
-inline std::filesystem::path shared_data(std::string const& name) {
-  char const* const folder = std::getenv("MORAINE_SHARED_DATA");
-  std::filesystem::path const root =
-      folder != nullptr ? folder : std::string(MORAINE_SOURCE_DIR) + "/../shared/data";
-  return root / name;
 }
 
 }  // namespace moraine
 
 /// Leaves the test as skipped where a file of the shared data is missing.
-#define MORAINE_NEED_SHARED_DATA(name)                        \
-  if (!std::filesystem::exists(::moraine::shared_data(name))) \
-  GTEST_SKIP() << ::moraine::shared_data(name).string() << " is not there"
+#define MORAINE_NEED_SHARED_DATA(name)      \
+  if (::moraine::shared_data(name).empty()) \
+  GTEST_SKIP() << (name) << ": " << ::moraine::no_shared_data

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "support/places.hpp"
 #include "verify/reference_data.hpp"
 
 namespace moraine {
@@ -15,7 +16,7 @@ namespace moraine {
 ///   auto const file = shared_data("seismic/NAME.csv");
 ///   if (file.empty()) GTEST_SKIP() << no_shared_data;
 inline std::filesystem::path shared_data(std::string const& name) {
-  return reference_file(name, MORAINE_SOURCE_DIR);
+  return reference_file(name, source_folder());
 }
 
 inline constexpr char const* no_shared_data = no_reference_data;

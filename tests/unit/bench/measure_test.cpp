@@ -17,6 +17,7 @@
 #include "setup/fill.hpp"
 #include "setup/read_case.hpp"
 #include "step/simulation.hpp"
+#include "support/places.hpp"
 
 namespace moraine {
 namespace {
@@ -122,7 +123,7 @@ TEST(Workloads, NamesAreUniqueAndFound) {
 }
 
 TEST(Workloads, TntInWaterIsTheShippedCase) {
-  Case const shipped = read_case(std::string(MORAINE_SOURCE_DIR) + "/cases/tnt-in-water/case.toml");
+  Case const shipped = read_case(source_folder() + "/cases/tnt-in-water/case.toml");
   Case const built_in = tnt_in_water();
   EXPECT_EQ(built_in.numerics.spacing, shipped.numerics.spacing);
   EXPECT_EQ(built_in.numerics.smoothing_factor, shipped.numerics.smoothing_factor);

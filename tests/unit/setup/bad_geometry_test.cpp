@@ -12,6 +12,7 @@
 #include "setup/read_case.hpp"
 #include "setup/used_case.hpp"
 #include "support/bodies.hpp"
+#include "support/places.hpp"
 #include "unit/output/scratch_folder.hpp"
 
 namespace moraine {
@@ -243,7 +244,7 @@ minus = [{ disc = { center = [0, 0], radius = 0.1 }, plus = [{ box = { min = [0,
 
 // The case on the page about geometry is one.
 TEST(GeometryPage, ShowsACase) {
-  std::ifstream stream(MORAINE_SOURCE_DIR "/docs/geometry.md");
+  std::ifstream stream(source_folder() + "/docs/geometry.md");
   std::string const page{std::istreambuf_iterator<char>(stream), {}};
   auto const begin = page.find("```toml\n") + 8;
   Case const c = parse_case(page.substr(begin, page.find("```", begin) - begin), "geometry.md");

@@ -15,6 +15,7 @@
 #include "setup/toml.hpp"
 #include "setup/value_reader.hpp"
 #include "step/simulation.hpp"
+#include "support/places.hpp"
 #include "unit/output/scratch_folder.hpp"
 #include "verify/shipped_cases.hpp"
 
@@ -24,12 +25,12 @@ namespace {
 class Docs : public ScratchFolder {};
 
 TEST_F(Docs, ReferencePageIsUpToDate) {
-  EXPECT_EQ(bytes_of(MORAINE_SOURCE_DIR "/docs/reference.md"), reference_page())
+  EXPECT_EQ(bytes_of(source_folder() + "/docs/reference.md"), reference_page())
       << "make it with: build/moraine explain --reference > docs/reference.md";
 }
 
 TEST_F(Docs, SchemaIsUpToDate) {
-  EXPECT_EQ(bytes_of(MORAINE_SOURCE_DIR "/docs/moraine.schema.json"), json_schema())
+  EXPECT_EQ(bytes_of(source_folder() + "/docs/moraine.schema.json"), json_schema())
       << "make it with: build/moraine schema > docs/moraine.schema.json";
 }
 
