@@ -8,6 +8,7 @@
 #include "app/commands.hpp"
 #include "base/input_error.hpp"
 #include "output/checkpoint/start_reader.hpp"
+#include "output/references.hpp"
 #include "setup/case_report.hpp"
 #include "setup/explain.hpp"
 #include "setup/explain_step.hpp"
@@ -49,6 +50,7 @@ void add_others(CLI::App& app, CaseCommandOptions& options) {
 Case whole_case(std::string const& file) {
   Case c = read_case(file);
   read_start(c);
+  check_references(c);
   return c;
 }
 

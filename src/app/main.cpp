@@ -14,7 +14,9 @@
 #include "app/commands.hpp"
 #include "app/exact_command.hpp"
 #include "app/motion_command.hpp"
+#include "app/report_command.hpp"
 #include "app/slosh_command.hpp"
+#include "app/watch_command.hpp"
 #include "base/input_error.hpp"
 #include "output/output_error.hpp"
 
@@ -32,6 +34,8 @@ struct Options {
   moraine::BlastOptions blast;
   moraine::MotionOptions motion;
   moraine::SloshOptions slosh;
+  moraine::ReportCommandOptions report;
+  moraine::WatchOptions watch;
 };
 
 void add_run(CLI::App& app, Options& options) {
@@ -111,6 +115,8 @@ int dispatch(CLI::App const& app, Options const& options) {
   if (auto const code = moraine::run_blast_command(app, options.blast)) return *code;
   if (auto const code = moraine::run_motion_command(app, options.motion)) return *code;
   if (auto const code = moraine::run_slosh_command(app, options.slosh)) return *code;
+  if (auto const code = moraine::run_report_command(app, options.report)) return *code;
+  if (auto const code = moraine::run_watch_command(app, options.watch)) return *code;
   if (app.got_subcommand("run")) return moraine::run_case(options.run);
   if (app.got_subcommand("resume")) return moraine::resume_run(options.resume);
   if (app.got_subcommand("preview")) return moraine::preview_case(options.preview);
@@ -135,6 +141,8 @@ int main(int argc, char** argv) {
   add_plot(app, options);
   add_bench(app, options);
   add_verify(app, options);
+  moraine::add_report_command(app, options.report);
+  moraine::add_watch_command(app, options.watch);
   moraine::add_exact(app, options.exact);
   moraine::add_case_commands(app, options.cases);
   moraine::add_blast_command(app, options.blast);

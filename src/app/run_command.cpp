@@ -14,6 +14,7 @@
 #include "base/input_error.hpp"
 #include "output/checkpoint/start_reader.hpp"
 #include "output/output_error.hpp"
+#include "output/references.hpp"
 #include "output/run_folder.hpp"
 #include "output/run_lock.hpp"
 #include "setup/build_model.hpp"
@@ -90,6 +91,7 @@ int run_case(RunOptions const& options) {
   int const threads = omp_get_max_threads();
   Case c = read_case(options.case_file);
   read_start(c);
+  check_references(c);
   std::string const output =
       options.output.empty() ? default_output(options.case_file) : options.output;
   check_output(output, options.force);

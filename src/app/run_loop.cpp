@@ -2,23 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <csignal>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include "app/commands.hpp"
-#include "base/simd.hpp"
+#include "app/run_keepers.hpp"
+#include "app/run_words.hpp"
 #include "output/checkpoint/checkpoints.hpp"
-#include "output/checkpoint/run_state.hpp"
 #include "output/output_error.hpp"
 #include "output/progress.hpp"
-#include "output/timing_table.hpp"
+#include "report/report.hpp"
 #include "step/simulation_error.hpp"
 
 namespace moraine {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 volatile std::sig_atomic_t stop_requested = 0;
 
@@ -29,183 +28,106 @@ void request_stop(int) {
   std::signal(SIGTERM, SIG_DFL);
 }
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Looks for the file `stop` ten times a second, and takes it away when it is there.
-class StopFile {
+/// A run with all that goes on beside its steps.
+class Loop {
  public:
-  explicit StopFile(std::filesystem::path file) : file_(std::move(file)) {}
-  bool found() {
-    if (seconds_since(looked_) < 0.1) return false;
-    looked_ = Clock::now();
-    std::error_code ignored;
-    return std::filesystem::remove(file_, ignored);
-  }
+  explicit Loop(Run const& run) : run_(run) {}
+
+  ExitCode to_end();
 
  private:
-  std::filesystem::path file_;
-  Clock::time_point looked_ = Clock::now();
-};
-
-/// Saves the run at intervals of wall time.
-class Saver {
- public:
-  explicit Saver(Run const& run) : run_(run), checkpoints_(run.folder) {}
-
-  void save_when_due() {
-    double const interval = run_.c.output.checkpoint_interval;
-    if (interval > 0.0 && seconds_since(last_) >= interval) save();
+  bool advance();
+  ExitCode give_up(std::string const& reason, std::vector<Flag> const& flags, ExitCode code);
+  void write_page() const {
+    report::write_report({run_.folder}, {.file = run_.folder / "report.html"});
   }
-  /// Guards look first, so that what is kept is a good state.
-  void save() {
-    run_.simulation.check();
-    ScopedTimer const timing(timers_, timer_);
-    run_.recorder.sync();
-    checkpoints_.save(run_.simulation.step(),
-                      [&](Archive& archive) { save_run(archive, run_.simulation, run_.recorder); });
-    last_ = Clock::now();
+  void keep_what_there_is(std::string const& reason, std::vector<Flag> const& flags) const;
+  std::string stopped_by(std::exception const& error) const {
+    return fmt::format("the run stopped at time {:.6g} s, step {}: {}", run_.simulation.time(),
+                       run_.simulation.step(), error.what());
   }
-  Timers const& timers() const { return timers_; }
 
- private:
   Run const& run_;
-  Checkpoints checkpoints_;
-  Timers timers_;
-  int timer_ = timers_.add("checkpoints");
-  Clock::time_point last_ = Clock::now();
+  Saver saver_{run_};
+  StatusKeeper status_{run_, saver_};
+  Progress progress_;
 };
-
-ProgressReport report(Simulation const& simulation) {
-  return {simulation.time(),        simulation.model().time.end,
-          simulation.step(),        simulation.time_step(),
-          simulation.vote().reason, simulation.particles().range(Kind::fluid).size()};
-}
-
-void say_end(Run const& run, Timers const& saving, std::string const& reason, double seconds) {
-  Simulation const& simulation = run.simulation;
-  Timers timers = simulation.timers();
-  timers.include(run.recorder.timers());
-  timers.include(saving);
-  fmt::print("\n{}: time {:.6g} s, {} steps in {:.2f} s\n", reason, simulation.time(),
-             simulation.step(), seconds);
-  if (simulation.lost().count > 0)
-    fmt::print("{} particles left the domain and were removed ({:.4g} kg, {:.4g} J)\n",
-               simulation.lost().count, simulation.lost().mass, simulation.lost().energy);
-  if (!simulation.running() && simulation.stages_to_come() > 0)
-    fmt::print("{} stages never began: the condition of the one before did not come true\n",
-               simulation.stages_to_come());
-  SmoothingClips const& clips = simulation.smoothing_clips();
-  if (clips.at_least + clips.at_most > 0)
-    fmt::print(
-        "smoothing lengths were cut off: of up to {} particles at {:.4g} m "
-        "(resolution.smoothing.least), of up to {} at {:.4g} m (most)\n",
-        clips.at_least, simulation.model().numerics.least_smoothing_length(), clips.at_most,
-        simulation.model().numerics.largest_smoothing_length());
-  for (std::string const& remark : run.recorder.remarks()) fmt::print("{}\n", remark);
-  std::string const folder = run.folder.string();
-  fmt::print(
-      "\n{}\nresults in {}: particles.pvd (ParaView), gauges.csv, sums.csv; pictures: "
-      "moraine plot {}\n",
-      timing_table(timers, seconds), folder, folder);
-  if (simulation.running()) fmt::print("to go on: moraine resume {}\n", folder);
-}
-
-/// What is left to do when the run cannot go on: tell why, and keep what there is.
-int give_up(Run const& run, std::string const& reason, std::vector<Flag> const& flags,
-            double seconds, ExitCode code) {
-  fmt::print(stderr, "{}\n", reason);
-  try {
-    auto const snapshot = run.recorder.give_up(run.simulation, reason, flags, seconds);
-    fmt::print(stderr, "the particles as they were: {}{}\n", snapshot.string(),
-               flags.empty() ? "" : "; the array \"guard\" flags who is named");
-  } catch (std::exception const& error) {
-    fmt::print(stderr, "nor could the particles be written: {}\n", error.what());
-  }
-  std::vector<std::string> skipped;
-  if (auto const good = Checkpoints(run.folder).newest(skipped))
-    fmt::print(stderr, "last good state: {}; to go on from it: moraine resume {}\n", good->string(),
-               run.folder.string());
-  return code;
-}
-
-/// Tells which stages have begun since; returns how many have begun at all.
-std::size_t say_stages(Simulation const& simulation, std::size_t told, Progress& progress) {
-  auto const& events = simulation.stage_events();
-  for (; told < events.size(); ++told) {
-    progress.clear();
-    StageEvent const& event = events[told];
-    fmt::print("stage \"{}\" begins at time {:.6g} s, step {}: {}\n", event.stage, event.time,
-               event.step, event.cause);
-  }
-  return told;
-}
 
 /// Steps until the end or a request to stop; true if it was stopped.
-bool advance(Run const& run, Saver& saver, Progress& progress) {
-  StopFile stop_file(run.folder / "stop");
-  std::size_t announced = run.simulation.stage_events().size();
-  while (run.simulation.running()) {
-    if (stop_requested != 0 || stop_file.found()) return true;
-    run.simulation.advance();
-    run.recorder.tell(run.simulation);
-    announced = say_stages(run.simulation, announced, progress);
-    saver.save_when_due();
-    progress.update(report(run.simulation));
+bool Loop::advance() {
+  RequestFile stop(run_.folder / "stop"), snapshot(run_.folder / "snapshot");
+  std::size_t announced = run_.simulation.stage_events().size();
+  while (run_.simulation.running()) {
+    if (stop_requested != 0 || stop.found()) return true;
+    run_.simulation.advance();
+    run_.recorder.tell(run_.simulation);
+    announced = say_stages(run_.simulation, announced, progress_);
+    saver_.save_when_due();
+    status_.update_when_due();
+    if (snapshot.found()) {
+      progress_.clear();
+      fmt::print("snapshot: {}\n", run_.recorder.write_snapshot(run_.simulation).string());
+    }
+    progress_.update(progress_of(run_.simulation));
   }
   return false;
 }
 
-}  // namespace
-
-void say_start(Run const& run, int threads) {
-  auto const& store = run.simulation.particles();
-  Case const& c = run.c;
-  fmt::print(
-      "{}\n{}D, {} fluid and {} wall particles, spacing {:.4g} m, h {:.4g} m, kernel {}, {} "
-      "threads, {}\n",
-      c.title.empty() ? c.file : c.title, c.dimension, store.range(Kind::fluid).size(),
-      store.range(Kind::wall).size(), c.numerics.spacing, c.numerics.smoothing_length(),
-      kernel_name(c.numerics.kernel), threads, simd_flavour);
-  if (double const finest = run.simulation.model().finest_spacing; finest < c.numerics.spacing)
-    fmt::print("finest spacing of a region {:.4g} m\n", finest);
-  if (StartInfo const& from = c.start.info; !c.start.run.empty())
-    fmt::print("particles from {} of {}, time {:.6g} s, step {}\n", from.checkpoint, from.run,
-               from.time, from.step);
+ExitCode Loop::to_end() {
+  try {
+    status_.update_when_due();
+    saver_.save();
+    bool const stopped = advance();
+    saver_.save();
+    progress_.finish();
+    std::string const reason = stopped ? "interrupted" : "end time reached";
+    run_.recorder.finish(run_.simulation, reason, status_.wall_time());
+    status_.write(stopped ? RunPhase::stopped : RunPhase::ended, reason);
+    write_page();
+    say_end(run_, saver_, reason, status_.wall_time());
+    return stopped ? ExitCode::interrupted : ExitCode::done;
+  } catch (SimulationError const& error) {
+    return give_up(error.what(), error.flags(), ExitCode::unstable);
+  } catch (OutputError const& error) {
+    return give_up(stopped_by(error), {}, ExitCode::not_written);
+  } catch (std::exception const& error) {  // no memory: not the physics
+    return give_up(stopped_by(error), {}, ExitCode::failed);
+  }
 }
 
+void Loop::keep_what_there_is(std::string const& reason, std::vector<Flag> const& flags) const {
+  try {
+    auto const snapshot =
+        run_.recorder.give_up(run_.simulation, reason, flags, status_.wall_time());
+    fmt::print(stderr, "the particles as they were: {}{}\n", snapshot.string(),
+               flags.empty() ? "" : "; the array \"guard\" flags who is named");
+    status_.write(RunPhase::broken, reason);
+    write_page();
+  } catch (std::exception const& error) {
+    fmt::print(stderr, "nor could the particles be written: {}\n", error.what());
+  }
+}
+
+/// What is left to do when the run cannot go on: tell why, and keep what there is.
+ExitCode Loop::give_up(std::string const& reason, std::vector<Flag> const& flags, ExitCode code) {
+  progress_.finish();
+  fmt::print(stderr, "{}\n", reason);
+  keep_what_there_is(reason, flags);
+  std::vector<std::string> skipped;
+  if (auto const good = Checkpoints(run_.folder).newest(skipped))
+    fmt::print(stderr, "last good state: {}; to go on from it: moraine resume {}\n", good->string(),
+               run_.folder.string());
+  return code;
+}
+
+}  // namespace
+
 int run_to_end(Run const& run) {
-  auto const start = Clock::now();
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
   run.simulation.on_new_rates(
       [&run](Simulation const& simulation) { run.recorder.tell_new_rates(simulation); });
-  Saver saver(run);
-  Progress progress;
-  auto const stopped_at = [&](std::exception const& error) {
-    return fmt::format("the run stopped at time {:.6g} s, step {}: {}", run.simulation.time(),
-                       run.simulation.step(), error.what());
-  };
-  try {
-    saver.save();
-    bool const stopped = advance(run, saver, progress);
-    saver.save();
-    progress.finish();
-    std::string const reason = stopped ? "interrupted" : "end time reached";
-    run.recorder.finish(run.simulation, reason, seconds_since(start));
-    say_end(run, saver.timers(), reason, seconds_since(start));
-    return stopped ? ExitCode::interrupted : ExitCode::done;
-  } catch (SimulationError const& error) {
-    progress.finish();
-    return give_up(run, error.what(), error.flags(), seconds_since(start), ExitCode::unstable);
-  } catch (OutputError const& error) {
-    progress.finish();
-    return give_up(run, stopped_at(error), {}, seconds_since(start), ExitCode::not_written);
-  } catch (std::exception const& error) {  // no memory: not the physics
-    progress.finish();
-    return give_up(run, stopped_at(error), {}, seconds_since(start), ExitCode::failed);
-  }
+  return Loop(run).to_end();
 }
 
 }  // namespace moraine

@@ -40,6 +40,7 @@ struct Keep {
 };
 constexpr Keep body_keep{"bodies", ".stl"};
 constexpr Keep motion_keep{"motions", ".csv"};
+constexpr Keep reference_keep{"references", ".csv"};
 
 /// Calls visit(name of the file, where it is kept) for every file that the case names.
 template <class AnyCase, class Visit>
@@ -48,6 +49,8 @@ void for_each_file(AnyCase& c, Visit const& visit) {
     for_each_body(region, [&](auto& body) { visit(body.file, body_keep); });
   for (auto& wall : c.walls)
     if (!wall.motion.file.empty()) visit(wall.motion.file, motion_keep);
+  for (auto& reference : c.references)
+    if (!reference.file.empty()) visit(reference.file, reference_keep);
 }
 
 bool is_kept_name(std::string const& name, Keep const& keep) {
@@ -85,7 +88,7 @@ void check_kept_files(Case const& c, std::filesystem::path const& folder) {
 }
 
 void drop_kept_files(std::filesystem::path const& folder) {
-  for (Keep const& keep : {body_keep, motion_keep})
+  for (Keep const& keep : {body_keep, motion_keep, reference_keep})
     remove_files(folder / keep.folder,
                  [&](std::string const& name) { return is_kept_name(name, keep); });
 }

@@ -15,6 +15,16 @@
 #include "output/plot/plot.hpp"
 
 namespace moraine {
+namespace {
+
+void drop_snapshots(std::filesystem::path const& folder) {
+  static std::regex const ours("(particles|walls)_at_step_[0-9]{9,}\\.vtp");
+  remove_files(folder / "snapshots",
+               [](std::string const& name) { return std::regex_match(name, ours); });
+}
+
+}  // namespace
+
 bool holds_a_run(std::filesystem::path const& folder) {
   return std::filesystem::exists(folder / "manifest.json");
 }
@@ -35,7 +45,9 @@ void make_run_folder(std::filesystem::path const& folder) {
   Checkpoints(folder).forget();
   remove_file(folder / start_copy);
   drop_kept_files(folder);
-  remove_file(folder / "stop");
+  drop_snapshots(folder);
+  for (char const* const name : {"stop", "snapshot", "status.json", "report.html"})
+    remove_file(folder / name);
 }
 
 std::string frame_name(std::size_t number) {
@@ -44,6 +56,14 @@ std::string frame_name(std::size_t number) {
 
 std::string wall_frame_name(std::size_t number) {
   return fmt::format("frames/walls_{:06}.vtp", number);
+}
+
+std::string snapshot_name(std::uint64_t step) {
+  return fmt::format("snapshots/particles_at_step_{:09}.vtp", step);
+}
+
+std::string wall_snapshot_name(std::uint64_t step) {
+  return fmt::format("snapshots/walls_at_step_{:09}.vtp", step);
 }
 
 void drop_frames(std::filesystem::path const& folder, std::size_t first) {

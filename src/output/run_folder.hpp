@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -18,13 +19,17 @@ bool holds_a_run(std::filesystem::path const& folder);
 bool has_written_its_end(std::filesystem::path const& folder);
 
 /// Makes the folder of a run, or clears it of what an earlier run wrote: frames, pictures,
-/// checkpoints, copies of bodies, the snapshot of a breakdown, requests. Other people's files stay.
-/// Throws OutputError.
+/// checkpoints, copies of bodies, snapshots, status and report, requests. Other people's files
+/// stay. Throws OutputError.
 void make_run_folder(std::filesystem::path const& folder);
 
 /// Name of a frame of particles, and of walls where they move, relative to the folder.
 std::string frame_name(std::size_t number);
 std::string wall_frame_name(std::size_t number);
+
+/// Name of a frame that was asked for while the run went on, by the step, relative to the folder.
+std::string snapshot_name(std::uint64_t step);
+std::string wall_snapshot_name(std::uint64_t step);
 
 /// Removes the frames from this number on, and the pictures and the snapshot that were made of
 /// them. Throws OutputError.

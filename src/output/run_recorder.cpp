@@ -171,7 +171,13 @@ void RecorderState::exchange(Archive& archive) {
   archive.array("output/resumed_at_steps", "", manifest.resumed_at_steps);
 }
 
+void RunRecorder::exchange_memory(Archive& archive) {
+  probes_.exchange(archive);
+  votes_.exchange(archive);
+}
+
 void RunRecorder::tell(Simulation const& simulation) {
+  votes_.note(simulation.vote());
   tell_probes(simulation);
   double const time = simulation.time();
   if (simulation.stage_events().size() > manifest_.stages.size()) write_stages(simulation);
@@ -194,6 +200,15 @@ std::filesystem::path RunRecorder::give_up(Simulation const& simulation, std::st
   auto const frame = write_bad_frame(folder_, simulation, flags);
   write_end(simulation, reason, wall_time);
   return frame;
+}
+
+std::filesystem::path RunRecorder::write_snapshot(Simulation const& simulation) const {
+  auto const file = folder_ / snapshot_name(simulation.step());
+  write_vtp(file, simulation.particles(), Kind::fluid, simulation.time(), probes_.envelopes());
+  if (simulation.model().walls.move())
+    write_vtp(folder_ / wall_snapshot_name(simulation.step()), simulation.particles(), Kind::wall,
+              simulation.time());
+  return file;
 }
 
 void RunRecorder::tell_probes(Simulation const& simulation) {

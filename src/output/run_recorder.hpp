@@ -11,6 +11,7 @@
 #include "output/probe_recorder.hpp"
 #include "output/pvd_collection.hpp"
 #include "output/table_csv.hpp"
+#include "output/vote_tally.hpp"
 #include "setup/case.hpp"
 #include "step/simulation.hpp"
 #include "step/simulation_error.hpp"
@@ -65,8 +66,8 @@ class RunRecorder {
   /// The case with names of files that count from the folder of the run.
   Case const& kept_case() const { return case_; }
 
-  /// Saves or restores what the gauges remember.
-  void exchange_probes(Archive& archive) { probes_.exchange(archive); }
+  /// Saves or restores what the gauges and the tally of votes remember.
+  void exchange_memory(Archive& archive);
 
   /// Hands what has been written to the disk.
   void sync();
@@ -82,6 +83,13 @@ class RunRecorder {
   /// good frames, with culprits flagged (bad_frame.hpp). Returns the path of that frame.
   std::filesystem::path give_up(Simulation const& simulation, std::string const& reason,
                                 std::vector<Flag> const& flags, double wall_time);
+
+  /// Writes the particles as they are to `snapshots/`, and the walls where they move: a frame that
+  /// somebody asked for, apart from those of the case. Returns its path.
+  std::filesystem::path write_snapshot(Simulation const& simulation) const;
+
+  /// Who has limited the time steps so far.
+  VoteTally const& votes() const { return votes_; }
 
   /// Call when a stage has begun and its first rates are there (Simulation::on_new_rates).
   void tell_new_rates(Simulation const& simulation) { probes_.tell_new_rates(simulation); }
@@ -111,6 +119,7 @@ class RunRecorder {
   TableCsv gauges_;
   TableCsv sums_;
   Schedule frame_schedule_, gauge_schedule_, sums_schedule_;
+  VoteTally votes_;
   Timers timers_;
   int frame_timer_ = timers_.add("write frames");
   int gauge_timer_ = timers_.add("gauges");

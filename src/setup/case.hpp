@@ -19,6 +19,7 @@
 #include "setup/burn_spec.hpp"
 #include "setup/motion_spec.hpp"
 #include "setup/probe_spec.hpp"
+#include "setup/reference_spec.hpp"
 #include "setup/shape/shape.hpp"
 #include "setup/stage_spec.hpp"
 #include "setup/start_state.hpp"
@@ -165,6 +166,7 @@ struct Case {
   std::vector<WallSpec> walls;
   std::vector<GaugeSpec> gauges;
   std::vector<StageSpec> stages;
+  std::vector<ReferenceSpec> references;
   /// By full key ("resolution.spacing", "region.charge.pressure"), for messages; empty for a case
   /// that comes from no file.
   std::map<std::string, Place> places;

@@ -289,6 +289,7 @@ std::vector<Parameter const*> all_parameters() {
   append(wall_entries());
   append(gauge_entries());
   append(stage_entries());
+  append(reference_entries());
   return all;
 }
 

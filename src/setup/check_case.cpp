@@ -14,6 +14,7 @@
 #include "setup/check_motion.hpp"
 #include "setup/check_options.hpp"
 #include "setup/check_probe.hpp"
+#include "setup/check_reference.hpp"
 #include "setup/check_region.hpp"
 #include "setup/check_spacing.hpp"
 #include "setup/check_stages.hpp"
@@ -36,6 +37,7 @@ class CaseCheck {
     check_names(case_.walls, keys_.walls);
     check_names(case_.gauges, keys_.gauges);
     check_names(case_.stages, keys_.stages);
+    check_names(case_.references, keys_.references);
     check_start();
     if (case_.regions.empty() && keys_.regions.empty() && case_.start.run.empty() &&
         !source_.has_problem("region") && !source_.has_problem("start.run"))
@@ -60,6 +62,8 @@ class CaseCheck {
         check_material(case_.gauges[i].material, keys_.gauges[i] + ".material");
       else
         check_probe(case_, case_.gauges[i], keys_.gauges[i], source_);
+    for (std::size_t i = 0; i < case_.references.size(); ++i)
+      check_reference(case_, case_.references[i], keys_.references[i], source_);
     check_stages(case_, keys_.stages, source_);
     check_options(case_, source_);
     check_wall_methods(case_, keys_.walls, keys_.stages, source_);

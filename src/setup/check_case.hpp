@@ -15,6 +15,7 @@ struct ItemKeys {
   std::vector<std::string> walls;
   std::vector<std::string> gauges;
   std::vector<std::string> stages;
+  std::vector<std::string> references;
 };
 
 /// Finds the domain if the file gives none, completes shapes (check_region.hpp), and reports

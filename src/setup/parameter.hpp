@@ -53,8 +53,8 @@ struct Limits {
 };
 
 /// The tables of a case file. A `list` is written [[region]], a `named` table [material.NAME].
-enum class Section : std::uint8_t { top, material, region, wall, gauge, stage };
-inline constexpr std::size_t section_count = 6;
+enum class Section : std::uint8_t { top, material, region, wall, gauge, stage, reference };
+inline constexpr std::size_t section_count = 7;
 enum class Repeat : std::uint8_t { once, named, list };
 
 struct SectionInfo {
@@ -76,6 +76,8 @@ inline constexpr std::array<SectionInfo, section_count> section_table{{
      "a rigid wall, at rest or moved as prescribed: the faces of a box"},
     {Section::gauge, "gauge", Repeat::list, "something measured during the run"},
     {Section::stage, "stage", Repeat::list, "a part of the run; stages follow each other"},
+    {Section::reference, "reference", Repeat::list,
+     "a measured or exact value or curve that reports show beside the readings of a gauge"},
 }};
 
 constexpr SectionInfo const& info(Section section) {

@@ -16,6 +16,7 @@ std::span<Entry<RegionSpec> const> region_entries();
 std::span<Entry<WallSpec> const> wall_entries();
 std::span<Entry<GaugeSpec> const> gauge_entries();
 std::span<Entry<StageSpec> const> stage_entries();
+std::span<Entry<ReferenceSpec> const> reference_entries();
 
 /// The whole table as data, section after section, without the bindings.
 std::vector<Parameter const*> all_parameters();

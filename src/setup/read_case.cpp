@@ -26,8 +26,8 @@
 namespace moraine {
 namespace {
 
-constexpr std::array<std::string_view, section_count - 1> section_keys{"material", "region", "wall",
-                                                                       "gauge", "stage"};
+constexpr std::array<std::string_view, section_count - 1> section_keys{
+    "material", "region", "wall", "gauge", "stage", "reference"};
 
 toml::table parse_toml(std::string_view text, std::string_view file) {
   try {
@@ -60,6 +60,7 @@ class CaseReader {
     keys_.walls = read_list("wall", wall_entries(), case_.walls);
     keys_.gauges = read_list("gauge", gauge_entries(), case_.gauges);
     keys_.stages = read_list("stage", stage_entries(), case_.stages);
+    keys_.references = read_list("reference", reference_entries(), case_.references);
     finish_case(case_, keys_, source_);
     if (!source_.problems().empty()) throw InputErrors(source_.problems());
     case_.places = source_.places();

@@ -72,6 +72,7 @@ std::string used_case(Case const& c) {
   text += list_text("wall", wall_entries(), c.walls, c.dimension);
   text += list_text("gauge", gauge_entries(), c.gauges, c.dimension);
   text += list_text("stage", stage_entries(), c.stages, c.dimension);
+  text += list_text("reference", reference_entries(), c.references, c.dimension);
   return text;
 }
 

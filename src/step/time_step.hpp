@@ -1,6 +1,7 @@
 // Votes on the length of a time step.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -23,13 +24,16 @@ inline constexpr std::string_view fixed_limit = "fixed step";
 inline constexpr std::string_view largest_limit = "largest step";
 inline constexpr std::string_view end_of_run = "end of run";
 
+/// All of them, in no order of rank.
+inline constexpr std::array vote_reasons{
+    sound_limit,     acceleration_limit, motion_limit,  wall_motion_limit, wall_acceleration_limit,
+    repulsion_limit, burn_limit,         damping_limit, viscous_limit,     penalty_limit,
+    fixed_limit,     largest_limit,      end_of_run};
+
 /// The reason with these words, as text that lives as long as the program: votes that come from a
 /// checkpoint. "nothing" for words that are no reason.
 inline std::string_view kept_reason(std::string_view words) {
-  for (std::string_view const reason :
-       {sound_limit, acceleration_limit, motion_limit, wall_motion_limit, wall_acceleration_limit,
-        repulsion_limit, burn_limit, damping_limit, viscous_limit, penalty_limit, fixed_limit,
-        largest_limit, end_of_run})
+  for (std::string_view const reason : vote_reasons)
     if (words == reason) return reason;
   return "nothing";
 }

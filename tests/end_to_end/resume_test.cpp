@@ -59,12 +59,15 @@ class ResumeCommand : public ScratchFolder {
   CommandResult resume(std::string const& folder) {
     return moraine_command(path(""), {"resume", folder});
   }
-  /// All results with their content. The manifest tells of wall time; checkpoints come and go.
+  /// All results with their content. Manifest, status and report tell of wall time; checkpoints
+  /// come and go.
   std::map<std::string, std::string> results(std::string const& folder) const {
     std::map<std::string, std::string> files;
     for (auto const& entry : std::filesystem::recursive_directory_iterator(path(folder))) {
       std::string const name = std::filesystem::relative(entry.path(), path(folder)).string();
-      if (entry.is_regular_file() && name != "manifest.json" && !name.starts_with("checkpoints"))
+      bool const of_wall_time =
+          name == "manifest.json" || name == "status.json" || name == "report.html";
+      if (entry.is_regular_file() && !of_wall_time && !name.starts_with("checkpoints"))
         files[name] = bytes_of(entry.path());
     }
     return files;

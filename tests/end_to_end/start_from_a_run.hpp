@@ -88,13 +88,15 @@ class StartFromARun : public ScratchFolder {
     std::vector<std::string> skipped;
     return restore_run(*Checkpoints(path(folder)).newest(skipped), path(folder), 1);
   }
-  /// All results with their content. HDF5 files and the manifest hold times of the clock.
+  /// All results with their content. HDF5 files, manifest, status and report hold times of
+  /// the clock.
   std::map<std::string, std::string> results(std::string const& folder) const {
     std::map<std::string, std::string> files;
     for (auto const& entry : std::filesystem::recursive_directory_iterator(path(folder))) {
       std::string const name = std::filesystem::relative(entry.path(), path(folder)).string();
-      if (entry.is_regular_file() && name != "manifest.json" && name != "start.h5" &&
-          !name.starts_with("checkpoints"))
+      bool const of_the_clock = name == "manifest.json" || name == "start.h5" ||
+                                name == "status.json" || name == "report.html";
+      if (entry.is_regular_file() && !of_the_clock && !name.starts_with("checkpoints"))
         files[name] = bytes_of(entry.path());
     }
     return files;

@@ -16,7 +16,7 @@ namespace moraine {
 namespace {
 
 // Counts up with every change of what is saved, or of what it means for the steps that follow.
-constexpr std::uint64_t layout = 4;
+constexpr std::uint64_t layout = 5;
 
 }  // namespace
 
@@ -39,7 +39,7 @@ void save_run(Archive& archive, Simulation& simulation, RunRecorder& recorder) {
   simulation.save(archive);
   RecorderState state = recorder.state();
   state.exchange(archive);
-  recorder.exchange_probes(archive);
+  recorder.exchange_memory(archive);
 }
 
 bool has_ended(std::filesystem::path const& checkpoint, std::filesystem::path const& folder) {
@@ -71,7 +71,7 @@ RestoredRun restore_run(std::filesystem::path const& checkpoint,
     RecorderState state;
     state.exchange(archive);
     run.recorder = std::make_unique<RunRecorder>(run.c, *run.simulation, folder, threads, state);
-    run.recorder->exchange_probes(archive);
+    run.recorder->exchange_memory(archive);
   });
   return run;
 }

@@ -1,0 +1,36 @@
+#include "app/report_command.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/commands.hpp"
+#include "report/report.hpp"
+
+namespace moraine {
+
+void add_report_command(CLI::App& app, ReportCommandOptions& options) {
+  auto* command = app.add_subcommand(
+      "report", "write the page of a run, or one that draws several runs over each other");
+  command->add_option("folders", options.folders, "folders of runs")->required();
+  command->add_option("--output,-o", options.output,
+                      "file to write (default: report.html in the folder; of several runs, here)");
+  command->add_option("--title", options.title, "title of the page (default: that of the run)");
+  command->footer(
+      "Examples:\n"
+      "  moraine report out/tnt-in-water\n"
+      "  moraine report out/coarse out/fine --output spacing.html --title \"Two spacings\"");
+}
+
+std::optional<int> run_report_command(CLI::App const& app, ReportCommandOptions const& options) {
+  if (!app.got_subcommand("report")) return std::nullopt;
+  std::vector<std::filesystem::path> const folders(options.folders.begin(), options.folders.end());
+  report::ReportOptions report{.file = options.output, .title = options.title};
+  if (report.file.empty())
+    report.file = folders.size() == 1 ? folders.front() / "report.html" : "report.html";
+  report::write_report(folders, report);
+  fmt::print("{}\n", report.file.string());
+  return ExitCode::done;
+}
+
+}  // namespace moraine
