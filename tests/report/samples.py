@@ -1,6 +1,7 @@
 """All samples by name."""
 import sample_particles
 import sample_report
+import sample_sweep
 
 SAMPLES = {
     "gauges": sample_report.gauges_only,
@@ -10,4 +11,5 @@ SAMPLES = {
     "cube": sample_particles.cube,
     "line": sample_particles.line,
     "many": sample_particles.many,
+    "sweep": sample_sweep.sweep,
 }

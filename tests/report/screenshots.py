@@ -14,10 +14,12 @@ def whole_page(driver, size, is_phone, theme, path):
     driver.save_screenshot(str(path))
 
 
-def take(driver, pages, folder):
+def take(driver, pages, folder, names=()):
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     for page in sorted(pages.glob("*.html")):
+        if names and page.stem not in names:
+            continue
         browser.set_size(driver, browser.LAPTOP)
         driver.get(page.as_uri())
         time.sleep(0.6)

@@ -16,6 +16,8 @@ export function unionOfTimes(curves: Curve[]): number[] {
 export function align(curves: Curve[], isLogX: boolean, isLogY: boolean): Aligned {
   let times = unionOfTimes(curves).filter(Number.isFinite);
   if (isLogX) times = times.filter((time) => time > 0);
+  // One list of x may hold a value twice, as parameters of members do.
+  if (isOneList(curves, times)) return [times, ...curves.map(({ y, drawn }) => drawable(drawn ?? y, isLogY))];
   const rowOf = new Map(times.map((time, row) => [time, row]));
   const columns = curves.map(({ x, y: read, drawn }) => {
     const y = drawn ?? read;
@@ -27,6 +29,14 @@ export function align(curves: Curve[], isLogX: boolean, isLogY: boolean): Aligne
     return column;
   });
   return [times, ...columns];
+}
+
+function isOneList(curves: Curve[], times: number[]): boolean {
+  return curves.every(({ x }) => x === curves[0].x && x.length === times.length);
+}
+
+function drawable(y: ArrayLike<number>, isLogY: boolean): (number | null)[] {
+  return Array.from(y, (value) => (isDrawable(value, isLogY) ? value : null));
 }
 
 /** Logarithmic axes have no place for zero and less. */

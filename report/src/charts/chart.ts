@@ -7,9 +7,10 @@ import type { Limits, Zoom } from "./axes";
 import { loadCurves, type Curve } from "./curves";
 import { addKeys, addTouch, addWheel } from "./gestures";
 import { chartPicture } from "./picture";
-import { makePlot, yScale } from "./plot";
+import { limitsOfX, makePlot, yScale } from "./plot";
 import { curveName, makeReading, type Entry, type Reading } from "./reading";
 import { csv, save, savePicture } from "./save";
+import { withUnit } from "../units";
 import { styles, type ColourBy } from "./style";
 
 export interface ChartOptions {
@@ -21,6 +22,9 @@ export interface ChartOptions {
   load?: () => Promise<Curve[]>;
   xName?: string;
   xUnit?: string;
+  xNames?: string[] | null;
+  hasRoomX?: boolean;
+  yName?: string;
 }
 
 const SYNC_KEY = "curves";
@@ -107,10 +111,11 @@ export class Chart {
     const before = this.plot?.cursor.left ?? -1;
     this.plot?.destroy();
     this.drawnWidth = this.area.clientWidth;
-    this.reading = makeReading(this.entries, options.xName ?? "time", options.xUnit ?? "s", (i) => this.toggle(i));
+    this.reading = makeReading(this.entries, (x) => this.xText(x), (i) => this.toggle(i));
     this.plot = makePlot({
       curves, styles: styleOf, data: align(curves, options.isLogX, options.isLogY),
       xName: options.xName ?? "time", xUnit: options.xUnit ?? "s", isLogX: options.isLogX, isLogY: options.isLogY,
+      xNames: options.xNames ?? null, hasRoomX: options.hasRoomX ?? false, yName: options.yName ?? "",
       width: Math.max(240, this.drawnWidth), height: this.height(), zoom: this.zoom,
       mark: () => (options.load ? null : app.playerTime), moved: () => this.moved(), select: (plot) => this.selected(plot),
       reset: () => this.resetZoom(), syncKey: options.load ? null : SYNC_KEY,
@@ -124,10 +129,9 @@ export class Chart {
   }
 
   private sayWhatIsMissing(): void {
-    const thinned = this.curves.flatMap((c) => c.run.tables).find((t) => t.rows_of > t.rows);
     const log = this.options.isLogY ? "Zero and negative values have no place on a logarithmic axis. " : "";
-    const rows = thinned ? `${thinned.rows} of ${thinned.rows_of} rows are in this page, extremes kept. ` : "";
-    this.hint.textContent = this.curves.length === 0 ? "Choose curves." : log + rows;
+    const notes = [...new Set(this.curves.map((curve) => curve.note))].join("");
+    this.hint.textContent = this.curves.length === 0 ? "Choose curves." : log + notes;
   }
 
   private height(): number {
@@ -142,8 +146,8 @@ export class Chart {
   }
 
   private whole(): Limits {
-    const times = unionOfTimes(this.curves).filter((t) => !this.options.isLogX || t > 0);
-    return [times[0] ?? 0, times[times.length - 1] ?? 1];
+    const { isLogX, hasRoomX } = this.options;
+    return limitsOfX(unionOfTimes(this.curves).filter((t) => !isLogX || t > 0), isLogX, hasRoomX ?? false);
   }
 
   private zoomTo(zoom: Zoom): void {
@@ -171,6 +175,11 @@ export class Chart {
     }
     plot.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
     this.zoomTo(zoom);
+  }
+
+  private xText(x: number): string {
+    const { xName = "time", xUnit = "s", xNames } = this.options;
+    return `${xName} ${xNames ? xNames[x] ?? "" : withUnit(x, xUnit, 6)}`;
   }
 
   private moved(): void {
@@ -212,7 +221,7 @@ export class Chart {
     });
     const names = this.entries.map(({ curve }) => {
       const unit = curve.unit ? ` [${curve.unit}]` : "";
-      return `${curve.run.name}: ${curve.label}${unit}`;
+      return `${curve.run ? `${curve.run.name}: ` : ""}${curve.label}${unit}`;
     });
     const rows = times.map((time) => [time, ...values.map((at) => at.get(time))]);
     save(`${this.options.title}.csv`, csv([[`${this.options.xName ?? "time"} [${this.options.xUnit ?? "s"}]`, ...names], ...rows]));

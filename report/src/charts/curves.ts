@@ -4,12 +4,18 @@ import type { Column, Reference, Run, Table } from "../format";
 import { words } from "../units";
 
 export interface Curve {
-  run: Run;
+  /** The run it is of; null for curves over something else than time. */
+  run: Run | null;
   key: string;
   label: string;
+  /** What it is of, without the gauge: the name of its axis. */
+  quantity: string;
   unit: string;
-  isReference: boolean;
+  /** Measured values and the like: dots instead of a line. */
+  isDots: boolean;
   source: string;
+  /** What was left out of it, or "". */
+  note: string;
   x: ArrayLike<number>;
   y: ArrayLike<number>;
   /** What is drawn in place of y, where curves stand on each other. */
@@ -42,14 +48,16 @@ export function availableColumns(runs: Run[]): Available[] {
 
 async function columnCurve(app: App, run: Run, table: Table, column: Column): Promise<Curve> {
   const [x, y] = await Promise.all([app.blocks.numbers(table.time), app.blocks.numbers(column.data)]);
-  const { label, unit } = column;
-  return { run, key: columnKey(table.name, label), label: words(label), unit, isReference: false, source: "", x, y };
+  const note = table.rows_of > table.rows ? `${table.rows} of ${table.rows_of} rows are in this page, extremes kept. ` : "";
+  const common = { run, key: columnKey(table.name, column.label), label: words(column.label), unit: column.unit };
+  return { ...common, quantity: words(column.name), isDots: false, source: "", note, x, y };
 }
 
-async function referenceCurve(app: App, run: Run, reference: Reference, unit: string): Promise<Curve> {
+async function referenceCurve(app: App, run: Run, reference: Reference, column: Column): Promise<Curve> {
   const [x, y] = await Promise.all([app.blocks.numbers(reference.time), app.blocks.numbers(reference.value)]);
   const key = columnKey(reference.table, reference.column);
-  return { run, key, label: reference.name, unit, isReference: true, source: reference.source, x, y };
+  const { name, source } = reference;
+  return { run, key, label: name, quantity: words(column.name), unit: column.unit, isDots: true, source, note: "", x, y };
 }
 
 /** The chosen columns of all `runs`, in the order of `keys`. References that several runs share come once. */
@@ -66,7 +74,7 @@ export async function loadCurves(app: App, keys: string[], runs: Run[]): Promise
           const name = `${key}\n${reference.name}`;
           if (columnKey(reference.table, reference.column) !== key || seen.has(name)) continue;
           seen.add(name);
-          loading.push(referenceCurve(app, run, reference, column.unit));
+          loading.push(referenceCurve(app, run, reference, column));
         }
       }
     }
@@ -84,5 +92,6 @@ export function nearestRow(x: ArrayLike<number>, time: number): number {
     else high = middle;
   }
   if (high < 0) return -1;
+  if (time >= x[high]) return high;
   return Math.abs(x[low] - time) <= Math.abs(x[high] - time) ? low : high;
 }

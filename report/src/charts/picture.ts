@@ -27,9 +27,9 @@ function placeEntries(context: CanvasRenderingContext2D, entries: Entry[], width
 function drawEntry(context: CanvasRenderingContext2D, { entry, x, y }: Placed, top: number): void {
   context.strokeStyle = entry.style.colour;
   context.lineWidth = 2;
-  context.setLineDash(entry.curve.isReference ? [] : entry.style.dash);
+  context.setLineDash(entry.curve.isDots ? [] : entry.style.dash);
   context.beginPath();
-  if (entry.curve.isReference) context.arc(x + 13, top + y + 10, 3, 0, 2 * Math.PI);
+  if (entry.curve.isDots) context.arc(x + 13, top + y + 10, 3, 0, 2 * Math.PI);
   else {
     context.moveTo(x, top + y + 10);
     context.lineTo(x + 26, top + y + 10);

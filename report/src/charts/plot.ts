@@ -12,6 +12,12 @@ export interface PlotPlan {
   data: Aligned;
   xName: string;
   xUnit: string;
+  /** Names of the places 0, 1, 2 on the x axis, where it has no numbers. */
+  xNames: string[] | null;
+  /** Leaves room beside the first and the last x. */
+  hasRoomX: boolean;
+  /** Name of the y axis where the curves are of several quantities. */
+  yName: string;
   isLogX: boolean;
   isLogY: boolean;
   width: number;
@@ -29,29 +35,26 @@ export function yScale(unit: string): string {
   return `y ${unit}`;
 }
 
-function limitsOfX(times: number[], isLogX: boolean): Limits {
-  if (times.length === 0) return isLogX ? [1, 10] : [0, 1];
-  const [first, last] = [times[0], times[times.length - 1]];
-  return first < last ? [first, last] : padded(first, last, isLogX);
+export function limitsOfX(x: number[], isLogX: boolean, hasRoom: boolean): Limits {
+  if (x.length === 0) return isLogX ? [1, 10] : [0, 1];
+  const [first, last] = [x[0], x[x.length - 1]];
+  if (first >= last) return padded(first, last, isLogX);
+  if (!hasRoom) return [first, last];
+  const room = isLogX ? (last / first) ** 0.04 : 0.04 * (last - first);
+  return isLogX ? [first / room, last * room] : [first - room, last + room];
 }
 
 function axisPlans(plan: PlotPlan): AxisPlan[] {
   const units = [...new Set(plan.curves.map((curve) => curve.unit))];
   return units.map((unit) => {
-    const names = new Set(plan.curves.filter((c) => c.unit === unit && !c.isReference).map((c) => quantity(c.label)));
-    return { scale: yScale(unit), unit, name: names.size === 1 ? [...names][0] : "", isLogarithmic: plan.isLogY };
+    const names = new Set(plan.curves.filter((c) => c.unit === unit && !c.isDots).map((c) => c.quantity));
+    return { scale: yScale(unit), unit, name: names.size === 1 ? [...names][0] : plan.yName, names: null, isLogarithmic: plan.isLogY };
   });
-}
-
-/** "P1 pressure" is named by its last word on the axis, the curves by all. */
-function quantity(label: string): string {
-  const [, ...rest] = label.split(" ");
-  return rest.join(" ") || label;
 }
 
 function makeScales(plan: PlotPlan, axes: AxisPlan[]): uPlot.Scales {
   const scales: uPlot.Scales = {
-    x: { time: false, distr: plan.isLogX ? 3 : 1, range: () => plan.zoom.x ?? limitsOfX(plan.data[0], plan.isLogX) },
+    x: { time: false, distr: plan.isLogX ? 3 : 1, range: () => plan.zoom.x ?? limitsOfX(plan.data[0], plan.isLogX, plan.hasRoomX) },
   };
   for (const axis of axes) {
     scales[axis.scale] = {
@@ -64,7 +67,7 @@ function makeScales(plan: PlotPlan, axes: AxisPlan[]): uPlot.Scales {
 
 function makeSeries(curve: Curve, style: CurveStyle): uPlot.Series {
   const common = { label: curve.label, scale: yScale(curve.unit), stroke: style.colour };
-  if (curve.isReference) {
+  if (curve.isDots) {
     return { ...common, paths: () => null, points: { show: true, size: 6, width: 1.5, stroke: style.colour, fill: styleColour("--background") } };
   }
   const fill = curve.drawn ? { fill: `${style.colour}55` } : {};
@@ -99,7 +102,7 @@ function drawMark(plot: uPlot, time: number | null): void {
 
 export function makePlot(plan: PlotPlan, parent: HTMLElement): uPlot {
   const axes = axisPlans(plan);
-  const xAxis: AxisPlan = { scale: "x", unit: plan.xUnit, name: plan.xName, isLogarithmic: plan.isLogX };
+  const xAxis: AxisPlan = { scale: "x", unit: plan.xUnit, name: plan.xName, names: plan.xNames, isLogarithmic: plan.isLogX };
   const options: uPlot.Options = {
     width: plan.width,
     height: plan.height,

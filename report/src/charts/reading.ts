@@ -1,6 +1,6 @@
 // Legend and reading in one: each curve with its value at the time of the cursor.
 import { element } from "../dom";
-import { displayUnit, formatNumber, withUnit } from "../units";
+import { displayUnit, formatNumber } from "../units";
 import { nearestRow, type Curve } from "./curves";
 import type { CurveStyle } from "./style";
 
@@ -20,7 +20,7 @@ export interface Reading {
 
 /** Names as short as they can be: the run only where there are several. */
 export function curveName(curve: Curve, hasSeveralRuns: boolean): string {
-  const run = hasSeveralRuns && !curve.isReference ? ` · ${curve.run.title || curve.run.name}` : "";
+  const run = hasSeveralRuns && curve.run && !curve.isDots ? ` · ${curve.run.title || curve.run.name}` : "";
   return `${curve.label}${run}`;
 }
 
@@ -28,7 +28,7 @@ function swatch(entry: Entry): SVGSVGElement {
   const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
   svg.setAttribute("class", "swatch");
   svg.setAttribute("aria-hidden", "true");
-  const isDot = entry.curve.isReference;
+  const isDot = entry.curve.isDots;
   const shape = document.createElementNS("http://www.w3.org/2000/svg", isDot ? "circle" : "line");
   const place = isDot ? { cx: 13, cy: 5, r: 3, fill: "none" } : { x1: 0, y1: 5, x2: 26, y2: 5 };
   for (const [name, value] of Object.entries(place)) shape.setAttribute(name, String(value));
@@ -45,7 +45,7 @@ function largestOf(curve: Curve): number {
   return largest;
 }
 
-export function makeReading(entries: Entry[], xName: string, xUnit: string, toggle: (index: number) => boolean): Reading {
+export function makeReading(entries: Entry[], xText: (x: number) => string, toggle: (index: number) => boolean): Reading {
   const at = element("p", { class: "at" });
   const list = element("ul", { class: "reading" });
   const units = entries.map(({ curve }) => displayUnit(curve.unit, largestOf(curve)));
@@ -57,18 +57,17 @@ export function makeReading(entries: Entry[], xName: string, xUnit: string, togg
     list.append(element("li", {}, item, value));
     return value;
   });
-  const timeText = (time: number) => `${xName} ${withUnit(time, xUnit, 6)}`;
   return {
     root: element("div", { class: "readings" }, at, list),
     show(time) {
-      at.textContent = time === null ? "last values" : timeText(time);
+      at.textContent = time === null ? "last values" : xText(time);
       entries.forEach(({ curve }, i) => {
         const row = nearestRow(curve.x, time ?? Infinity);
         const value = row < 0 ? NaN : curve.y[row];
         const number = formatNumber(value / units[i].factor, 6);
         values[i].textContent = Number.isFinite(value) && units[i].unit ? `${number}\u00a0${units[i].unit}` : number;
         const isElsewhere = row >= 0 && time !== null && curve.x[row] !== time;
-        values[i].title = row < 0 ? "" : `${value} ${curve.unit} at ${curve.x[row]} ${xUnit}`;
+        values[i].title = row < 0 ? "" : `${value} ${curve.unit} at ${curve.x[row]}`;
         values[i].classList.toggle("elsewhere", isElsewhere);
       });
     },

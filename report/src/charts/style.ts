@@ -24,7 +24,7 @@ export function seriesColour(index: number): string {
 export function styles(curves: Curve[], runs: Run[], by: ColourBy): CurveStyle[] {
   const keys = [...new Set(curves.map((curve) => curve.key))];
   return curves.map((curve) => {
-    const run = runs.indexOf(curve.run);
+    const run = curve.run ? runs.indexOf(curve.run) : 0;
     const column = keys.indexOf(curve.key);
     const [colour, dash] = by === "run" ? [run, column] : [column, run];
     const turn = by === "run" ? 0 : Math.floor(column / COLOURS);

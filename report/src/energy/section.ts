@@ -34,12 +34,12 @@ export function energySection(app: App): Section {
     return terms ?? Promise.resolve({ held: [], booked: [], total: null, balance: null });
   };
   const common = { isLogX: false, isLogY: false, colourBy: "curve" as const };
-  const balance = new Chart(app, new Set(), { ...common, title: "Energy", load: async () => curvesOf(await load(), mode) });
+  const balance = new Chart(app, new Set(), { ...common, title: "Energy", yName: "energy", load: async () => curvesOf(await load(), mode) });
   const drift = new Chart(app, new Set(), {
     ...common, title: "Drift of the balance",
     load: async () => {
       const found = (await load()).balance;
-      return found ? [{ ...changeOf(found), label: "drift" }] : [];
+      return found ? [{ ...changeOf(found), label: "drift", quantity: "drift" }] : [];
     },
   });
   const choices = [

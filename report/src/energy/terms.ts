@@ -43,7 +43,7 @@ function balanceOf(held: Curve[], booked: Curve[], total: Curve | null): Curve |
     const inside = parts.reduce((sum, part) => sum + part.y[i], 0);
     return booked.reduce((sum, part) => sum + (LOST.test(part.label) ? part.y[i] : -part.y[i]), inside);
   });
-  return { ...model, key: "balance", label: "balance", y };
+  return { ...model, key: "balance", label: "balance", quantity: "balance", y };
 }
 
 export async function loadTerms(app: App, run: Run): Promise<Terms> {
@@ -54,7 +54,7 @@ export async function loadTerms(app: App, run: Run): Promise<Terms> {
   for (const column of found.columns) {
     const y = await app.blocks.numbers(column.data);
     const name = column.name || column.label;
-    const curve: Curve = { run, key: column.label, label: words(name), unit: column.unit, isReference: false, source: "", x, y };
+    const curve: Curve = { run, key: column.label, label: words(name), quantity: words(name), unit: column.unit, isDots: false, source: "", note: "", x, y };
     const role = roleOf(name);
     if (role === "held" || role === "booked") terms[role].push(curve);
     else terms[role] = curve;

@@ -30,8 +30,8 @@ export class Transport {
     const speed = select("Speed", speeds, String(state.framesPerSecond), (value) => (state.framesPerSecond = Number(value)));
     const loop = checkbox("Loop", state.isLooping, (isLooping) => (state.isLooping = isLooping));
     const steps = [
-      button("⏮", () => this.step(-Infinity), "first frame"), button("◀", () => this.step(-1), "one frame back"), this.playing,
-      button("▶", () => this.step(1), "one frame on"), button("⏭", () => this.step(Infinity), "last frame"),
+      button("|◀", () => this.step(-Infinity), "first frame"), button("◀", () => this.step(-1), "one frame back"), this.playing,
+      button("▶", () => this.step(1), "one frame on"), button("▶|", () => this.step(Infinity), "last frame"),
     ];
     this.root.append(element("div", { class: "controls" }, ...steps, this.time), this.slider, element("div", { class: "controls" }, field("Speed", speed), loop));
     this.update();
