@@ -1,0 +1,76 @@
+// Legend and reading in one: each curve with its value at the time of the cursor.
+import { element } from "../dom";
+import { displayUnit, formatNumber } from "../units";
+import { nearestRow, type Curve } from "./curves";
+import type { CurveStyle } from "./style";
+
+export interface Entry {
+  name: string;
+  curve: Curve;
+  style: CurveStyle;
+}
+
+export interface Reading {
+  root: HTMLElement;
+  /** Fills in the values at a time; null stands for the end of the curves. */
+  show(time: number | null): void;
+  /** The same in one sentence. */
+  text(): string;
+}
+
+/** Names as short as they can be: the run only where there are several. */
+export function curveName(curve: Curve, hasSeveralRuns: boolean): string {
+  const run = hasSeveralRuns && curve.run && !curve.isDots ? ` · ${curve.run.title || curve.run.name}` : "";
+  return `${curve.label}${run}`;
+}
+
+function swatch(entry: Entry): SVGSVGElement {
+  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  svg.setAttribute("class", "swatch");
+  svg.setAttribute("aria-hidden", "true");
+  const isDot = entry.curve.isDots;
+  const shape = document.createElementNS("http://www.w3.org/2000/svg", isDot ? "circle" : "line");
+  const place = isDot ? { cx: 13, cy: 5, r: 3, fill: "none" } : { x1: 0, y1: 5, x2: 26, y2: 5 };
+  for (const [name, value] of Object.entries(place)) shape.setAttribute(name, String(value));
+  shape.setAttribute("stroke", entry.style.colour);
+  shape.setAttribute("stroke-width", "2");
+  if (!isDot) shape.setAttribute("stroke-dasharray", entry.style.dash.join(" "));
+  svg.append(shape);
+  return svg;
+}
+
+function largestOf(curve: Curve): number {
+  let largest = 0;
+  for (let i = 0; i < curve.y.length; ++i) if (Math.abs(curve.y[i]) > largest) largest = Math.abs(curve.y[i]);
+  return largest;
+}
+
+export function makeReading(entries: Entry[], xText: (x: number) => string, toggle: (index: number) => boolean): Reading {
+  const at = element("p", { class: "at" });
+  const list = element("ul", { class: "reading" });
+  const units = entries.map(({ curve }) => displayUnit(curve.unit, largestOf(curve)));
+  const values = entries.map((entry, index) => {
+    const value = element("output", {});
+    const item = element("button", { attributes: { type: "button", "aria-pressed": "true", title: entry.curve.source || "hide or show" } });
+    item.addEventListener("click", () => item.setAttribute("aria-pressed", String(toggle(index))));
+    item.append(swatch(entry), element("span", { class: "name" }, entry.name));
+    list.append(element("li", {}, item, value));
+    return value;
+  });
+  return {
+    root: element("div", { class: "readings" }, at, list),
+    show(time) {
+      at.textContent = time === null ? "last values" : xText(time);
+      entries.forEach(({ curve }, i) => {
+        const row = nearestRow(curve.x, time ?? Infinity);
+        const value = row < 0 ? NaN : curve.y[row];
+        const number = formatNumber(value / units[i].factor, 6);
+        values[i].textContent = Number.isFinite(value) && units[i].unit ? `${number}\u00a0${units[i].unit}` : number;
+        const isElsewhere = row >= 0 && time !== null && curve.x[row] !== time;
+        values[i].title = row < 0 ? "" : `${value} ${curve.unit} at ${curve.x[row]}`;
+        values[i].classList.toggle("elsewhere", isElsewhere);
+      });
+    },
+    text: () => `${at.textContent}: ${entries.map((entry, i) => `${entry.name} ${values[i].textContent}`).join(", ")}`,
+  };
+}

@@ -1,0 +1,47 @@
+// Title and facts: of one run as a list, of several side by side with what differs set off.
+import type { App, Section } from "../app";
+import { element, table } from "../dom";
+import type { Run } from "../format";
+import { makeSection, setVisible } from "../section";
+
+const STATES: Record<Run["state"], string> = {
+  ended: "ended", running: "running", stopped: "stopped early", broken: "broken off",
+};
+
+export function stateText(run: Run): string {
+  return run.end_reason ? `${STATES[run.state]}: ${run.end_reason}` : STATES[run.state];
+}
+
+function factsOfOne(run: Run): HTMLElement {
+  const list = element("dl", { class: "facts" });
+  for (const { label, value } of [{ label: "State", value: stateText(run) }, ...run.facts]) {
+    list.append(element("div", {}, element("dt", {}, label), element("dd", {}, value)));
+  }
+  return list;
+}
+
+function factsOfSeveral(runs: Run[]): HTMLElement {
+  const labels = [...new Set(runs.flatMap((run) => run.facts.map((fact) => fact.label)))];
+  const row = (label: string, values: string[]) => {
+    const differs = new Set(values).size > 1;
+    return [label, ...values.map((value) => (differs ? element("strong", {}, value) : value))];
+  };
+  const rows = labels.map((label) =>
+    row(label, runs.map((run) => run.facts.find((fact) => fact.label === label)?.value ?? "–")));
+  rows.unshift(row("State", runs.map(stateText)));
+  return table("Facts of the runs, side by side", ["", ...runs.map((run) => run.title || run.name)], rows);
+}
+
+export function factsSection(app: App): Section {
+  const content = element("div");
+  const section = makeSection("facts", "Facts", content);
+  const draw = () => {
+    const { runs } = app.report;
+    setVisible(section, runs.length > 0);
+    if (runs.length === 1) content.replaceChildren(factsOfOne(runs[0]));
+    else if (runs.length > 1) content.replaceChildren(factsOfSeveral(app.shown.length > 0 ? app.shown : runs.slice(0, 8)));
+  };
+  app.on(["data", "shown"], draw);
+  draw();
+  return section;
+}

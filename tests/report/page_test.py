@@ -1,0 +1,118 @@
+"""The page as a whole: what it shows, that it stays by itself, that names do nothing."""
+import unittest
+
+import browser
+from report_test import ReportTest, Shared, time
+from sample_particles import MANY_NOTE
+from sample_report import HOSTILE
+from samples import SAMPLES
+
+
+class PageTest(ReportTest):
+    def test_every_sample_opens_without_a_request_or_a_word_on_the_console(self):
+        for name in SAMPLES:
+            with self.subTest(name):
+                self.open(name)
+                time.sleep(0.3)
+                asked = [url for url in self.requests() if not url.startswith(("file:", "data:", "blob:"))]
+                self.assertEqual(asked, [])
+                entries = self.run_script("return performance.getEntriesByType('resource').map(e => e.name)")
+                self.assertEqual([e for e in entries if not e.startswith(("data:", "blob:"))], [])
+                self.assertEqual(self.all("main > .problem"), [])
+
+    def test_pages_without_particles_stay_small(self):
+        for name in ("gauges", "overlaid", "sweep"):
+            self.assertLess((Shared.pages / f"{name}.html").stat().st_size, 1_000_000, name)
+
+    def test_sections_come_in_order(self):
+        self.open("plane")
+        shown = [section.get_attribute("id") for section in self.all("main section:not([hidden])")]
+        self.assertEqual(shown, ["facts", "quality", "curves", "particles", "energy", "timing", "stages", "settings", "cite"])
+
+    def test_verdicts_are_words_and_shapes(self):
+        self.open("gauges")
+        marks = [mark.text.split() for mark in self.all("#quality .scroller:first-child .verdict")]
+        self.assertEqual([mark[1] for mark in marks], ["good", "doubtful", "bad", "unknown"])
+        self.assertEqual(len({mark[0] for mark in marks}), 4)
+        text = self.text("#quality")
+        for wanted in ("0.12 %", "4.321 kPa", "-3.98 %", "Example and Sample (1999), table 2", "sound speed", "80 %", "19 µs"):
+            self.assertIn(wanted, text)
+
+    def test_time_and_energy(self):
+        self.open("gauges")
+        self.assertIn("72.1 %", self.text("#timing"))
+        self.wait(lambda: "500 mJ" in self.text("#energy .summary"))
+        self.assertIn("4.17 %", self.text("#energy .summary"))  # 0.5 J of the 12 J of the kinetic energy
+
+    def test_settings_are_filtered(self):
+        self.open("gauges")
+        field = self.one("#settings input[type=search]")
+        field.send_keys("kernel")
+        self.assertEqual(len(self.all("#settings tbody tr")), 1)
+        self.assertIn("default", self.text("#settings tbody"))
+        field.clear()
+        field.send_keys("zzz")
+        self.assertEqual(len(self.all("#settings tbody tr")), 0)
+
+    def test_hostile_names_are_texts(self):
+        self.open("hostile")
+        time.sleep(0.5)
+        self.assertIsNone(self.run_script("return window.hurt ?? null"))
+        self.assertEqual(self.run_script("return document.querySelectorAll('main img, main script, main svg:not(.swatch), [onload], [onerror], [onmouseover]').length"), 0)
+        for section in ("facts", "quality", "stages", "timing", "settings", "cite", "curves"):
+            self.assertIn(HOSTILE[0], self.text(f"#{section}"), section)
+        self.assertIn(HOSTILE[1], self.text("#particles .note"))
+        self.assertIn(HOSTILE[2], [label.text for label in self.all(".stage .label")])
+        self.assertEqual(self.run_script("return document.title"), HOSTILE[1])
+        self.one("#run").send_keys("A")
+        self.assertIsNone(self.run_script("return window.hurt ?? null"))
+
+    def test_a_million_particles_open_at_once_and_say_what_is_missing(self):
+        began = time.monotonic()
+        self.open("many")
+        self.wait(lambda: self.all(".count[data-drawn='20000']"))
+        self.assertLess(time.monotonic() - began, 10.0)
+        self.assertTrue(self.one("#particles .note").is_displayed())
+        self.assertIn(MANY_NOTE, self.text("#particles .note"))
+
+    def test_a_phone_scrolls_in_one_direction(self):
+        for name in SAMPLES:
+            with self.subTest(name):
+                browser.set_size(self.driver, browser.PHONE, is_phone=True)
+                self.open(name)
+                time.sleep(0.2)
+                self.assertLessEqual(self.run_script("return document.documentElement.scrollWidth"), browser.PHONE[0])
+
+    def test_dark_and_light(self):
+        ground = "return getComputedStyle(document.body).backgroundColor"
+        browser.set_size(self.driver, browser.LAPTOP, theme="dark")
+        self.open("gauges")
+        self.assertEqual(self.run_script(ground), "rgb(20, 23, 26)")
+        browser.set_size(self.driver, browser.LAPTOP, theme="light")
+        self.wait(lambda: self.run_script(ground) == "rgb(255, 255, 255)")
+        for expected in ("rgb(255, 255, 255)", "rgb(20, 23, 26)"):  # light, dark
+            self.one("#theme").click()
+            self.assertEqual(self.run_script(ground), expected)
+
+    def test_keyboard_reaches_everything(self):
+        self.open("plane")
+        names = self.run_script(
+            """const bad = [];
+            for (const control of document.querySelectorAll('main button, main select, main input, header button, header select')) {
+              if (control.closest('[hidden]')) continue;
+              const name = control.getAttribute('aria-label') || control.textContent || control.labels?.[0]?.textContent;
+              if (!name?.trim() || control.tabIndex < 0) bad.push(control.outerHTML);
+            }
+            return bad""")
+        self.assertEqual(names, [])
+        self.assertEqual(self.run_script("document.querySelector('.skip').focus(); return document.activeElement.textContent"), "Skip to the content")
+
+    def test_data_of_another_format_are_refused(self):
+        text = (Shared.pages / "gauges.html").read_text().replace('"format": 1', '"format": 2')
+        (Shared.pages / "other.html").write_text(text)
+        self.driver.get((Shared.pages / "other.html").as_uri())
+        self.assertIn("this page reads format 1", self.text("main .problem"))
+
+
+if __name__ == "__main__":
+    unittest.main()
