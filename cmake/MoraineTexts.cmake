@@ -12,7 +12,7 @@ function(moraine_embed_texts output pattern header function)
       cmake_path(GET text_folder FILENAME name)
     endif()
     file(READ "${text_file}" text)
-    string(APPEND entries "    EmbeddedText{\"${name}\", R\"text(${text})text\"},\n")
+    string(APPEND entries "    EmbeddedText{\"${name}\", R\"text(${text})text\"sv},\n")
   endforeach()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${text_files})
   set(source "${CMAKE_CURRENT_BINARY_DIR}/generated/${function}.cpp")
@@ -23,6 +23,7 @@ function(moraine_embed_texts output pattern header function)
 namespace moraine {
 
 std::span<EmbeddedText const> ${function}() {
+  using namespace std::string_view_literals;  // whose length is not counted
   static constexpr std::array list{
 ${entries}  };
   return list;

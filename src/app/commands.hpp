@@ -58,7 +58,8 @@ struct VerifyOptions {
   bool list = false;
   bool quick = false;
   bool json = false;
-  int threads = 0;  // 0: all
+  int threads = 0;     // 0: all
+  std::string report;  // file of a page; empty: none
 };
 int run_verify(VerifyOptions const& options);
 

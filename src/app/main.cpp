@@ -93,6 +93,8 @@ void add_verify(CLI::App& app, Options& options) {
   command->add_flag("--list", options.verify.list, "say which checks there are");
   command->add_flag("--quick", options.verify.quick, "coarser and shorter, same tolerances");
   command->add_flag("--json", options.verify.json, "results as JSON");
+  command->add_option("--report", options.verify.report,
+                      "write the results as a page for browsers");
   command->add_option("--threads,-t", options.verify.threads, "number of threads (default: all)")
       ->check(CLI::Range(0, 1024));
 }

@@ -7,6 +7,7 @@
 
 #include "output/manifest.hpp"
 #include "report/assets.hpp"
+#include "report/html_text.hpp"
 
 namespace moraine::report {
 namespace {
@@ -15,29 +16,6 @@ std::string_view asset(std::string_view name) {
   for (EmbeddedText const& text : report_assets())
     if (text.name == name) return text.text;
   throw std::logic_error(fmt::format("the program has no asset '{}'", name));
-}
-
-std::string html_escaped(std::string_view text) {
-  std::string out;
-  for (char const c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
 }
 
 /// JSON in which no "</script>" can stand.
