@@ -42,7 +42,8 @@ function fill(template, mark, text) {
 function checkMarks(page) {
   for (const mark of MARKS) {
     const count = page.split("\n").filter((line) => line.trim() === mark).length;
-    if (count !== 1 || page.split(mark).length !== 2) throw new Error(`${mark} must occur once, on a line of its own`);
+    if (count !== 1 || page.split(mark).length !== 2)
+      throw new Error(`${mark} must occur once, on a line of its own`);
   }
 }
 
@@ -50,7 +51,8 @@ const style = await bundle("theme/page.css");
 const script = await bundle("page.ts");
 const player = await bundle("player/scene.ts");
 for (const text of [style, script, player]) {
-  if (/<\/(script|style)/i.test(text) || /<!--/.test(text)) throw new Error("a bundle would end its own element");
+  if (/<\/(script|style)/i.test(text) || /<!--/.test(text))
+    throw new Error("a bundle would end its own element");
 }
 let page = await readFile(join(here, "src", "page.html"), "utf8");
 page = fill(page, "/* style */", style);
@@ -60,4 +62,6 @@ await mkdir(out, { recursive: true });
 await writeFile(join(out, "page.html"), page);
 await writeFile(join(out, "player.js"), (await notice("three")) + player + "\n");
 const size = (text) => `${Math.round(Buffer.byteLength(text) / 1000)} kB`;
-console.log(`page.html ${size(page)} (script ${size(script)}, style ${size(style)}), player.js ${size(player)}`);
+console.log(
+  `page.html ${size(page)} (script ${size(script)}, style ${size(style)}), player.js ${size(player)}`,
+);

@@ -10,18 +10,30 @@ const SILENT_AFTER = 3;
 
 function progressBar(progress: Progress): HTMLElement {
   const share = progress.end_time_s > 0 ? Math.min(1, progress.time_s / progress.end_time_s) : 0;
-  const bar = element("progress", { attributes: { max: "1", "aria-label": "Progress of the run" } });
+  const bar = element("progress", {
+    attributes: { max: "1", "aria-label": "Progress of the run" },
+  });
   bar.value = share;
   const facts: [string, string][] = [
-    ["time", `${withUnit(progress.time_s, "s", 4, progress.end_time_s)} of ${withUnit(progress.end_time_s, "s", 4)}`],
+    [
+      "time",
+      `${withUnit(progress.time_s, "s", 4, progress.end_time_s)} of ${withUnit(progress.end_time_s, "s", 4)}`,
+    ],
     ["done", `${(100 * share).toFixed(1)}\u00a0%`],
     ["time left", progress.time_left_s === null ? "–" : duration(progress.time_left_s)],
-    ["steps", `${formatNumber(progress.step, 9)}${progress.steps_per_second === null ? "" : `, ${formatNumber(progress.steps_per_second, 3)} a second`}`],
-    ["time step", `${withUnit(progress.time_step_s, "s", 3)}, limited by ${progress.limited_by || "–"}`],
+    [
+      "steps",
+      `${formatNumber(progress.step, 9)}${progress.steps_per_second === null ? "" : `, ${formatNumber(progress.steps_per_second, 3)} a second`}`,
+    ],
+    [
+      "time step",
+      `${withUnit(progress.time_step_s, "s", 3)}, limited by ${progress.limited_by || "–"}`,
+    ],
     ["particles", formatNumber(progress.particles, 9)],
   ];
   const list = element("dl", { class: "facts" });
-  for (const [label, value] of facts) list.append(element("div", {}, element("dt", {}, label), element("dd", {}, value)));
+  for (const [label, value] of facts)
+    list.append(element("div", {}, element("dt", {}, label), element("dd", {}, value)));
   return element("div", { class: "progress" }, bar, list);
 }
 
@@ -32,12 +44,20 @@ function runState(run: Run): HTMLElement {
 
 class Follower {
   readonly root = element("div", { class: "live" });
-  private readonly message = element("p", { class: "live-message", attributes: { role: "status" } }, "Asking the program for its data …");
+  private readonly message = element(
+    "p",
+    { class: "live-message", attributes: { role: "status" } },
+    "Asking the program for its data …",
+  );
   private readonly runs = element("div");
   private missed = 0;
   private lastAnswer = "";
 
-  constructor(private readonly app: App, private readonly address: string, private readonly interval: number) {
+  constructor(
+    private readonly app: App,
+    private readonly address: string,
+    private readonly interval: number,
+  ) {
     this.root.append(this.message, this.runs);
   }
 
@@ -46,7 +66,11 @@ class Follower {
       await this.ask();
       this.missed = 0;
       this.lastAnswer = new Date().toLocaleTimeString();
-      this.say(this.hasEnded() ? "The run has ended. This page shows its last state." : `Live; last answer ${this.lastAnswer}.`);
+      this.say(
+        this.hasEnded()
+          ? "The run has ended. This page shows its last state."
+          : `Live; last answer ${this.lastAnswer}.`,
+      );
     } catch {
       ++this.missed;
       if (this.missed >= SILENT_AFTER) this.saySilent();
@@ -60,7 +84,9 @@ class Follower {
     const { revision } = this.app.report;
     const known = this.lastAnswer !== "" && revision !== undefined;
     const mark = this.address.includes("?") ? "&" : "?";
-    const answer = await fetch(known ? `${this.address}${mark}since=${revision}` : this.address, { cache: "no-store" });
+    const answer = await fetch(known ? `${this.address}${mark}since=${revision}` : this.address, {
+      cache: "no-store",
+    });
     if (answer.status === 304) return;
     if (!answer.ok) throw new Error(`status ${answer.status}`);
     const report = (await answer.json()) as Report;
@@ -74,8 +100,12 @@ class Follower {
   }
 
   private saySilent(): void {
-    const since = this.lastAnswer ? ` Its last answer came at ${this.lastAnswer}; what it said until then stays here.` : "";
-    const end = this.hasEnded() ? "The run has ended, and the program with it." : "The program no longer answers.";
+    const since = this.lastAnswer
+      ? ` Its last answer came at ${this.lastAnswer}; what it said until then stays here.`
+      : "";
+    const end = this.hasEnded()
+      ? "The run has ended, and the program with it."
+      : "The program no longer answers.";
     this.say(end + since, !this.hasEnded());
   }
 

@@ -15,15 +15,24 @@ import { sweepSection } from "./sweep/section";
 import { stagesSection, timingSection } from "./tables/timing";
 
 const SECTIONS = [
-  factsSection, sweepSection, qualitySection, chartsSection, playerSection,
-  energySection, timingSection, stagesSection, settingsSection, citeSection,
+  factsSection,
+  sweepSection,
+  qualitySection,
+  chartsSection,
+  playerSection,
+  energySection,
+  timingSection,
+  stagesSection,
+  settingsSection,
+  citeSection,
 ];
 
 function readReport(): Report {
   const text = document.getElementById("report")?.textContent;
   if (!text) throw new Error("there are no data in this page");
   const report = JSON.parse(text) as Report;
-  if (report.format !== 1) throw new Error(`its data have format ${String(report.format)}, this page reads format 1`);
+  if (report.format !== 1)
+    throw new Error(`its data have format ${String(report.format)}, this page reads format 1`);
   return report;
 }
 
@@ -42,6 +51,8 @@ if (main) {
     start(main);
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
-    main.replaceChildren(element("p", { class: "problem" }, `This report cannot be shown: ${reason}.`));
+    main.replaceChildren(
+      element("p", { class: "problem" }, `This report cannot be shown: ${reason}.`),
+    );
   }
 }

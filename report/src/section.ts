@@ -4,7 +4,12 @@ import type { Section } from "./app";
 
 export function makeSection(id: string, title: string, ...content: (Node | string)[]): Section {
   const heading = element("h2", { attributes: { id: `${id}-heading` } }, title);
-  const root = element("section", { attributes: { id, "aria-labelledby": `${id}-heading` } }, heading, ...content);
+  const root = element(
+    "section",
+    { attributes: { id, "aria-labelledby": `${id}-heading` } },
+    heading,
+    ...content,
+  );
   return { id, title, root };
 }
 

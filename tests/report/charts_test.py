@@ -135,7 +135,7 @@ class ChartsTest(ReportTest):
         with open(self.downloaded(".csv", before), newline="") as file:
             rows = list(csv.reader(file))
         self.assertEqual(rows[0][0], "time [s]")
-        self.assertEqual(len(rows[0]), 1 + 9)
+        self.assertEqual(len(rows[0]), 1 + 6)
         self.assertEqual(len(rows), 1 + ROWS)  # the times of the finest run are those of all
         column = rows[0].index("middle: P2 pressure [Pa]")
         held = [(float(row[0]), float(row[column])) for row in rows[1:] if row[column]]

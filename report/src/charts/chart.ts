@@ -51,10 +51,25 @@ export class Chart {
   private announcing = 0;
   private drawnWidth = 0;
 
-  constructor(private readonly app: App, readonly keys: Set<string>, readonly options: ChartOptions) {
-    const files = [button("CSV", () => this.saveCsv(), "save the shown columns as CSV"), button("PNG", () => this.savePng(), "save as a picture")];
-    this.tools.append(button("Reset zoom", () => this.resetZoom()), ...files);
-    this.root.append(element("div", { class: "chart-head" }, this.heading, this.tools), this.area, this.below, this.hint);
+  constructor(
+    private readonly app: App,
+    readonly keys: Set<string>,
+    readonly options: ChartOptions,
+  ) {
+    const files = [
+      button("CSV", () => this.saveCsv(), "save the shown columns as CSV"),
+      button("PNG", () => this.savePng(), "save as a picture"),
+    ];
+    this.tools.append(
+      button("Reset zoom", () => this.resetZoom()),
+      ...files,
+    );
+    this.root.append(
+      element("div", { class: "chart-head" }, this.heading, this.tools),
+      this.area,
+      this.below,
+      this.hint,
+    );
     const zoomable = {
       plot: () => this.plot,
       whole: () => this.whole(),
@@ -78,7 +93,9 @@ export class Chart {
       this.curves = curves;
       this.draw();
     } catch (error) {
-      this.below.replaceChildren(element("p", { class: "problem" }, `These curves cannot be read: ${String(error)}`));
+      this.below.replaceChildren(
+        element("p", { class: "problem" }, `These curves cannot be read: ${String(error)}`),
+      );
     }
   }
 
@@ -107,20 +124,46 @@ export class Chart {
     const hasSeveralRuns = runs.size > 1;
     const by = options.colourBy === "auto" ? (hasSeveralRuns ? "run" : "curve") : options.colourBy;
     const styleOf = styles(curves, app.report.runs, by);
-    this.entries = curves.map((curve, i) => ({ name: curveName(curve, hasSeveralRuns), curve, style: styleOf[i] }));
+    this.entries = curves.map((curve, i) => ({
+      name: curveName(curve, hasSeveralRuns),
+      curve,
+      style: styleOf[i],
+    }));
     const before = this.plot?.cursor.left ?? -1;
     this.plot?.destroy();
     this.drawnWidth = this.area.clientWidth;
-    this.reading = makeReading(this.entries, (x) => this.xText(x), (i) => this.toggle(i));
-    this.plot = makePlot({
-      curves, styles: styleOf, data: align(curves, options.isLogX, options.isLogY),
-      xName: options.xName ?? "time", xUnit: options.xUnit ?? "s", isLogX: options.isLogX, isLogY: options.isLogY,
-      xNames: options.xNames ?? null, hasRoomX: options.hasRoomX ?? false, yName: options.yName ?? "",
-      width: Math.max(240, this.drawnWidth), height: this.height(), zoom: this.zoom,
-      mark: () => (options.load ? null : app.playerTime), moved: () => this.moved(), select: (plot) => this.selected(plot),
-      reset: () => this.resetZoom(), syncKey: options.load ? null : SYNC_KEY,
-    }, this.area);
-    this.area.setAttribute("aria-label", `${options.title}: ${this.entries.map((entry) => entry.name).join(", ")}. Left and right move the cursor, plus and minus zoom, zero shows all.`);
+    this.reading = makeReading(
+      this.entries,
+      (x) => this.xText(x),
+      (i) => this.toggle(i),
+    );
+    this.plot = makePlot(
+      {
+        curves,
+        styles: styleOf,
+        data: align(curves, options.isLogX, options.isLogY),
+        xName: options.xName ?? "time",
+        xUnit: options.xUnit ?? "s",
+        isLogX: options.isLogX,
+        isLogY: options.isLogY,
+        xNames: options.xNames ?? null,
+        hasRoomX: options.hasRoomX ?? false,
+        yName: options.yName ?? "",
+        width: Math.max(240, this.drawnWidth),
+        height: this.height(),
+        zoom: this.zoom,
+        mark: () => (options.load ? null : app.playerTime),
+        moved: () => this.moved(),
+        select: (plot) => this.selected(plot),
+        reset: () => this.resetZoom(),
+        syncKey: options.load ? null : SYNC_KEY,
+      },
+      this.area,
+    );
+    this.area.setAttribute(
+      "aria-label",
+      `${options.title}: ${this.entries.map((entry) => entry.name).join(", ")}. Left and right move the cursor, plus and minus zoom, zero shows all.`,
+    );
     this.below.replaceChildren(this.reading.root);
     this.entries.forEach((entry, i) => this.hidden.has(entry.name) && this.hide(i));
     if (before >= 0) this.plot.setCursor({ left: before, top: 10 });
@@ -129,7 +172,9 @@ export class Chart {
   }
 
   private sayWhatIsMissing(): void {
-    const log = this.options.isLogY ? "Zero and negative values have no place on a logarithmic axis. " : "";
+    const log = this.options.isLogY
+      ? "Zero and negative values have no place on a logarithmic axis. "
+      : "";
     const notes = [...new Set(this.curves.map((curve) => curve.note))].join("");
     this.hint.textContent = this.curves.length === 0 ? "Choose curves." : log + notes;
   }
@@ -147,7 +192,11 @@ export class Chart {
 
   private whole(): Limits {
     const { isLogX, hasRoomX } = this.options;
-    return limitsOfX(unionOfTimes(this.curves).filter((t) => !isLogX || t > 0), isLogX, hasRoomX ?? false);
+    return limitsOfX(
+      unionOfTimes(this.curves).filter((t) => !isLogX || t > 0),
+      isLogX,
+      hasRoomX ?? false,
+    );
   }
 
   private zoomTo(zoom: Zoom): void {
@@ -166,7 +215,8 @@ export class Chart {
     const { left, top, width, height } = plot.select;
     if (width < 3 && height < 3) return;
     const zoom: Zoom = { ...this.zoom };
-    if (width >= 3 && width < plot.over.clientWidth - 1) zoom.x = [plot.posToVal(left, "x"), plot.posToVal(left + width, "x")];
+    if (width >= 3 && width < plot.over.clientWidth - 1)
+      zoom.x = [plot.posToVal(left, "x"), plot.posToVal(left + width, "x")];
     if (height >= 3 && height < plot.over.clientHeight - 1) {
       for (const unit of new Set(this.curves.map((curve) => curve.unit))) {
         const scale = yScale(unit);
@@ -179,7 +229,7 @@ export class Chart {
 
   private xText(x: number): string {
     const { xName = "time", xUnit = "s", xNames } = this.options;
-    return `${xName} ${xNames ? xNames[x] ?? "" : withUnit(x, xUnit, 6)}`;
+    return `${xName} ${xNames ? (xNames[x] ?? "") : withUnit(x, xUnit, 6)}`;
   }
 
   private moved(): void {
@@ -196,7 +246,10 @@ export class Chart {
     const left = plot.valToPos(plot.data[0][row], "x");
     plot.setCursor({ left, top: plot.over.clientHeight / 2 });
     clearTimeout(this.announcing);
-    this.announcing = window.setTimeout(() => announce(this.reading?.text() ?? ""), ANNOUNCE_AFTER_MS);
+    this.announcing = window.setTimeout(
+      () => announce(this.reading?.text() ?? ""),
+      ANNOUNCE_AFTER_MS,
+    );
   }
 
   private hide(index: number): void {
@@ -224,12 +277,18 @@ export class Chart {
       return `${curve.run ? `${curve.run.name}: ` : ""}${curve.label}${unit}`;
     });
     const rows = times.map((time) => [time, ...values.map((at) => at.get(time))]);
-    save(`${this.options.title}.csv`, csv([[`${this.options.xName ?? "time"} [${this.options.xUnit ?? "s"}]`, ...names], ...rows]));
+    save(
+      `${this.options.title}.csv`,
+      csv([[`${this.options.xName ?? "time"} [${this.options.xUnit ?? "s"}]`, ...names], ...rows]),
+    );
   }
 
   private savePng(): void {
     if (!this.plot) return;
     const shown = this.entries.filter(({ name }) => !this.hidden.has(name));
-    savePicture(`${this.options.title}.png`, chartPicture(this.options.title, this.plot.ctx.canvas, shown));
+    savePicture(
+      `${this.options.title}.png`,
+      chartPicture(this.options.title, this.plot.ctx.canvas, shown),
+    );
   }
 }

@@ -3,7 +3,7 @@ import type { App } from "../app";
 import { savePicture } from "../charts/save";
 import { announce, button, checkbox, element, field, select } from "../dom";
 import type { Particles, Run } from "../format";
-import { formatNumber } from "../units";
+import { formatNumber, withUnit } from "../units";
 import { ColourPanel } from "./colour_panel";
 import { categoryTable, viridis } from "./colours";
 import { indexOfId, loadPicture, loadWalls, valuesOf, type Picture } from "./frames";
@@ -14,7 +14,7 @@ import { playerPicture } from "./picture";
 import { probeShapes } from "./probes";
 import type { MakeScene } from "./scene_interface";
 import { SlicePanel } from "./slice_panel";
-import { Stage } from "./stage";
+import { Stage, type Label } from "./stage";
 import { PlayerState, sceneBox } from "./state";
 import { Transport } from "./transport";
 
@@ -36,12 +36,22 @@ export class Player {
   private picture: Picture | null = null;
   private turn = 0;
 
-  constructor(private readonly app: App, private run: Run, particles: Particles, make: MakeScene) {
+  constructor(
+    private readonly app: App,
+    private run: Run,
+    particles: Particles,
+    make: MakeScene,
+  ) {
     this.state = new PlayerState(particles);
     const box = sceneBox(particles);
-    this.stage = new Stage(make, box, { clicked: (x, y) => this.pickAt(x, y), drawn: () => undefined });
+    this.stage = new Stage(make, box, {
+      clicked: (x, y) => this.pickAt(x, y),
+      drawn: () => undefined,
+    });
     this.transport = new Transport(this.state, { show: (frame) => this.show(frame) });
-    this.colours = new ColourPanel(this.state, (isOtherField) => (isOtherField ? void this.show(this.state.frame) : this.recolour()));
+    this.colours = new ColourPanel(this.state, (isOtherField) =>
+      isOtherField ? this.otherField() : this.recolour(),
+    );
     this.slices = new SlicePanel(box, (slice) => {
       this.state.slice = slice;
       this.stage.scene.setSlice(slice);
@@ -59,14 +69,34 @@ export class Player {
     this.layOut(particles);
     this.stage.setTheme();
     this.showProbes();
-    addPlayerKeys(this.stage, this.transport, (axis) => this.resetView(axis), () => announce(this.transport.timeText()));
+    addPlayerKeys(
+      this.stage,
+      this.transport,
+      (axis) => this.resetView(axis),
+      () => announce(this.transport.timeText()),
+    );
     void this.show(0);
   }
 
   private layOut(particles: Particles): void {
     const is3D = particles.dimension === 3;
-    const panels = element("div", { class: "panels" }, this.colours.root, is3D && this.slices.root, this.display(particles), this.picked.root);
-    const picture = element("div", { class: "picture" }, this.note, this.stage.root, this.transport.root, this.count, this.problem);
+    const panels = element(
+      "div",
+      { class: "panels" },
+      this.colours.root,
+      is3D && this.slices.root,
+      this.display(particles),
+      this.picked.root,
+    );
+    const picture = element(
+      "div",
+      { class: "picture" },
+      this.note,
+      this.stage.root,
+      this.transport.root,
+      this.count,
+      this.problem,
+    );
     this.root.append(picture, panels);
     this.sayNote();
   }
@@ -86,11 +116,30 @@ export class Player {
       this.state.showsProbes = shows;
       this.showProbes();
     });
-    const views = particles.dimension === 3 ? ["x", "y", "z"].map((name, axis) => button(`along ${name}`, () => this.resetView(axis))) : [];
+    const views =
+      particles.dimension === 3
+        ? ["x", "y", "z"].map((name, axis) => button(`along ${name}`, () => this.resetView(axis)))
+        : [];
     const picture = button("PNG", () => this.savePicture(), "save the picture");
-    return element("fieldset", {}, element("legend", {}, "View"), field("Dots", size),
-      element("div", { class: "controls" }, particles.walls && walls, particles.probes.length > 0 && probes),
-      element("div", { class: "controls" }, button("Whole", () => this.resetView(-1)), ...views, picture));
+    return element(
+      "fieldset",
+      {},
+      element("legend", {}, "View"),
+      field("Dots", size),
+      element(
+        "div",
+        { class: "controls" },
+        particles.walls && walls,
+        particles.probes.length > 0 && probes,
+      ),
+      element(
+        "div",
+        { class: "controls" },
+        button("Whole", () => this.resetView(-1)),
+        ...views,
+        picture,
+      ),
+    );
   }
 
   /** New live data of the same run: what has been chosen stays, the newest frame is followed. */
@@ -125,7 +174,10 @@ export class Player {
     const { particles } = state;
     if (!particles.frames[frame]) return;
     try {
-      const [picture] = await Promise.all([loadPicture(this.app, particles, frame, state.field), this.showWalls(frame)]);
+      const [picture] = await Promise.all([
+        loadPicture(this.app, particles, frame, state.field),
+        this.showWalls(frame),
+      ]);
       if (turn !== this.turn) return;
       state.frame = frame;
       this.picture = picture;
@@ -144,10 +196,20 @@ export class Player {
     }
   }
 
+  private otherField(): void {
+    this.showProbes();
+    void this.show(this.state.frame);
+  }
+
   private recolour(): void {
     const [low, high] = this.state.quantisedRange();
     const { isCategory, hidden } = this.state;
-    this.stage.scene.setColouring({ table: isCategory ? categoryTable(hidden) : viridis(), isCategory, low, high });
+    this.stage.scene.setColouring({
+      table: isCategory ? categoryTable(hidden) : viridis(),
+      isCategory,
+      low,
+      high,
+    });
     this.colours.update();
     this.drawn();
   }
@@ -162,7 +224,9 @@ export class Player {
   }
 
   private async showWalls(frame = this.state.frame): Promise<void> {
-    const quads = this.state.showsWalls ? await loadWalls(this.app, this.state.particles, frame) : null;
+    const quads = this.state.showsWalls
+      ? await loadWalls(this.app, this.state.particles, frame)
+      : null;
     this.stage.scene.setWalls(quads);
     this.stage.draw();
   }
@@ -172,7 +236,20 @@ export class Player {
     const none = new Float64Array(0);
     const shows = this.state.showsProbes;
     this.stage.scene.setProbes(shows ? shapes.segments : none, shows ? shapes.dots : none);
-    this.stage.setLabels(shows ? shapes.labels : []);
+    this.stage.setLabels([...(shows ? shapes.labels : []), ...this.profileLabels()]);
+  }
+
+  /** Of a profile: what the upper and the lower edge stand for. */
+  private profileLabels(): Label[] {
+    const { particles, fieldOf } = this.state;
+    if (particles.dimension !== 1 || !fieldOf) return [];
+    const { min, max } = sceneBox(particles);
+    const text = (value: number) =>
+      withUnit(value, fieldOf.unit, 4, Math.max(Math.abs(fieldOf.min), Math.abs(fieldOf.max)));
+    return [
+      { text: text(fieldOf.max), point: [min[0], max[1], 0] },
+      { text: text(fieldOf.min), point: [min[0], min[1], 0] },
+    ];
   }
 
   private sayNote(): void {
@@ -193,10 +270,24 @@ export class Player {
     const { state } = this;
     const box = sceneBox(state.particles);
     const metres = this.stage.scene.metresPerPixel();
-    const radius = metres > 0 ? (0.5 * state.dotScale * box.spacing) / metres : this.radiusInMiddle(matrix, height);
-    const found = pick({
-      matrix, width, height, box, quads: this.picture.quads, slice: state.slice, isHidden: state.isHidden, reach: Math.max(LEAST_REACH, radius),
-    }, x, y);
+    const radius =
+      metres > 0
+        ? (0.5 * state.dotScale * box.spacing) / metres
+        : this.radiusInMiddle(matrix, height);
+    const found = pick(
+      {
+        matrix,
+        width,
+        height,
+        box,
+        quads: this.picture.quads,
+        slice: state.slice,
+        isHidden: state.isHidden,
+        reach: Math.max(LEAST_REACH, radius),
+      },
+      x,
+      y,
+    );
     if (found >= 0) this.follow(this.picture.ids[found]);
   }
 
@@ -241,6 +332,9 @@ export class Player {
     this.stage.drawNow();
     const title = this.run.title || this.run.name;
     const time = this.transport.timeText();
-    savePicture(`${title} ${time}.png`, playerPicture(title, time, this.state, this.stage.canvas));
+    savePicture(
+      `${title} ${time.replace("=", "")}.png`,
+      playerPicture(title, time, this.state, this.stage),
+    );
   }
 }

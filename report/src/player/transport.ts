@@ -13,13 +13,18 @@ const SPEEDS = [1, 2, 5, 10, 20, 30, 60];
 
 export class Transport {
   readonly root = element("div", { class: "transport" });
-  private readonly slider = element("input", { attributes: { type: "range", min: "0", step: "1", "aria-label": "Frame" } });
+  private readonly slider = element("input", {
+    attributes: { type: "range", min: "0", step: "1", "aria-label": "Frame" },
+  });
   private readonly time = element("output", { class: "time" });
   private readonly playing: HTMLButtonElement;
   private run = 0;
   private isPlaying = false;
 
-  constructor(private readonly state: PlayerState, private readonly events: TransportEvents) {
+  constructor(
+    private readonly state: PlayerState,
+    private readonly events: TransportEvents,
+  ) {
     this.playing = button("▶ Play", () => this.toggle());
     this.playing.classList.add("play");
     this.slider.addEventListener("input", () => {
@@ -27,13 +32,25 @@ export class Transport {
       void this.events.show(Number(this.slider.value));
     });
     const speeds = SPEEDS.map((speed) => ({ value: String(speed), text: `${speed} frames/s` }));
-    const speed = select("Speed", speeds, String(state.framesPerSecond), (value) => (state.framesPerSecond = Number(value)));
+    const speed = select(
+      "Speed",
+      speeds,
+      String(state.framesPerSecond),
+      (value) => (state.framesPerSecond = Number(value)),
+    );
     const loop = checkbox("Loop", state.isLooping, (isLooping) => (state.isLooping = isLooping));
     const steps = [
-      button("|◀", () => this.step(-Infinity), "first frame"), button("◀", () => this.step(-1), "one frame back"), this.playing,
-      button("▶", () => this.step(1), "one frame on"), button("▶|", () => this.step(Infinity), "last frame"),
+      button("|◀", () => this.step(-Infinity), "first frame"),
+      button("◀", () => this.step(-1), "one frame back"),
+      this.playing,
+      button("▶", () => this.step(1), "one frame on"),
+      button("▶|", () => this.step(Infinity), "last frame"),
     ];
-    this.root.append(element("div", { class: "controls" }, ...steps, this.time), this.slider, element("div", { class: "controls" }, field("Speed", speed), loop));
+    this.root.append(
+      element("div", { class: "controls" }, ...steps, this.time),
+      this.slider,
+      element("div", { class: "controls" }, field("Speed", speed), loop),
+    );
     this.update();
   }
 
