@@ -5,6 +5,7 @@ import { NO_VALUE, POSITION_STEPS, VALUE_STEPS, type Field, type Particles } fro
 
 /** One frame with one field's values, as the scene wants it. */
 export interface Picture {
+  frame: number;
   count: number;
   ids: NumberArray;
   /** x, y, z, value of each particle, quantised. */
@@ -73,7 +74,7 @@ export async function loadPicture(
   const values = field ? (rest.pop() ?? null) : null;
   const quads = interleave(frame.count, rest, values);
   if (particles.dimension === 1) raise(quads, field);
-  return { count: frame.count, ids, quads, ...extremes(quads, field) };
+  return { frame: frameIndex, count: frame.count, ids, quads, ...extremes(quads, field) };
 }
 
 /** In one dimension the value is drawn over x. */

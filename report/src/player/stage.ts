@@ -9,11 +9,6 @@ export interface Label {
   point: number[];
 }
 
-export interface StageEvents {
-  clicked(x: number, y: number): void;
-  drawn(): void;
-}
-
 /** A pointer that moved further than this between down and up has dragged and not clicked. */
 const CLICK_PIXELS = 4;
 
@@ -34,7 +29,8 @@ export class Stage {
   constructor(
     make: MakeScene,
     box: SceneBox,
-    private readonly events: StageEvents,
+    /** A click in the picture, in pixels. */
+    private readonly clicked: (x: number, y: number) => void,
   ) {
     this.scene = make({ canvas: this.canvas, isFlat: box.dimension < 3, moved: () => this.draw() });
     this.over.append(this.ring, this.scale);
@@ -115,7 +111,6 @@ export class Stage {
     if (this.marked) move(this.ring, this.marked);
     else this.ring.hidden = true;
     this.drawScale(width);
-    this.events.drawn();
   }
 
   /** Names in the picture with their places in pixels, as of the last drawing. */
@@ -155,7 +150,7 @@ export class Stage {
       if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > CLICK_PIXELS)
         return;
       const edge = this.canvas.getBoundingClientRect();
-      this.events.clicked(event.clientX - edge.left, event.clientY - edge.top);
+      this.clicked(event.clientX - edge.left, event.clientY - edge.top);
     });
   }
 }

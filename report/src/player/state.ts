@@ -17,8 +17,6 @@ export class PlayerState {
   showsWalls = true;
   showsProbes = true;
   dotScale = 1;
-  pickedId: number | null = null;
-  staysInView = false;
   framesPerSecond = 10;
   isLooping = true;
 

@@ -4,11 +4,6 @@ import type { Frame } from "../format";
 import { withUnit } from "../units";
 import type { PlayerState } from "./state";
 
-export interface TransportEvents {
-  /** Shows a frame; resolves when it is drawn. */
-  show(frame: number): Promise<void>;
-}
-
 const SPEEDS = [1, 2, 5, 10, 20, 30, 60];
 
 export class Transport {
@@ -23,13 +18,14 @@ export class Transport {
 
   constructor(
     private readonly state: PlayerState,
-    private readonly events: TransportEvents,
+    /** Shows a frame; resolves when it is drawn. */
+    private readonly show: (frame: number) => Promise<void>,
   ) {
     this.playing = button("▶ Play", () => this.toggle());
     this.playing.classList.add("play");
     this.slider.addEventListener("input", () => {
       this.pause();
-      void this.events.show(Number(this.slider.value));
+      void this.show(Number(this.slider.value));
     });
     const speeds = SPEEDS.map((speed) => ({ value: String(speed), text: `${speed} frames/s` }));
     const speed = select(
@@ -82,7 +78,7 @@ export class Transport {
   step(by: number): void {
     this.pause();
     const last = this.frames.length - 1;
-    void this.events.show(Math.min(last, Math.max(0, this.state.frame + by)));
+    void this.show(Math.min(last, Math.max(0, this.state.frame + by)));
   }
 
   pause(): void {
@@ -95,12 +91,12 @@ export class Transport {
     const run = ++this.run;
     this.isPlaying = true;
     this.playing.textContent = "❚❚ Pause";
-    if (this.state.frame >= this.frames.length - 1) await this.events.show(0);
+    if (this.state.frame >= this.frames.length - 1) await this.show(0);
     while (run === this.run) {
       const started = performance.now();
       const next = this.state.frame + 1;
       if (next >= this.frames.length && !this.state.isLooping) break;
-      await this.events.show(next % this.frames.length);
+      await this.show(next % this.frames.length);
       const rest = 1000 / this.state.framesPerSecond - (performance.now() - started);
       await new Promise((resolve) => setTimeout(resolve, Math.max(0, rest)));
     }
