@@ -1,7 +1,8 @@
-// Makes dist/page.html (the page without data) and dist/player.js (WebGL, for pages with particles).
-// Usage: node build.mjs [--out FOLDER]
+// Makes dist/page.html (the page without data) and dist/player.js (WebGL, for pages with
+// particles).
+// Usage: node build.mjs [--out FOLDER], or --unit for the tests that run in Node
 import { build } from "esbuild";
-import { mkdir, readFile, writeFile } from "node:fs/promises";
+import { mkdir, readFile, readdir, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -45,6 +46,27 @@ function checkMarks(page) {
     if (count !== 1 || page.split(mark).length !== 2)
       throw new Error(`${mark} must occur once, on a line of its own`);
   }
+}
+
+/** The tests of test/, with the sources that they ask, for Node itself. */
+async function bundleTests() {
+  const folder = join(here, "test");
+  const files = (await readdir(folder)).filter((name) => name.endsWith(".test.mjs"));
+  await build({
+    entryPoints: files.map((name) => join(folder, name)),
+    absWorkingDir: here,
+    bundle: true,
+    platform: "node",
+    format: "esm",
+    outExtension: { ".js": ".mjs" },
+    outdir: join(here, "build", "unit"),
+    logLevel: "warning",
+  });
+}
+
+if (process.argv.includes("--unit")) {
+  await bundleTests();
+  process.exit(0);
 }
 
 const style = await bundle("theme/page.css");

@@ -97,7 +97,9 @@ export function field(text: string, control: HTMLElement): HTMLLabelElement {
   return element("label", { class: "field" }, element("span", {}, text), control);
 }
 
-/** A table with a head and rows of cells; numbers, given as such in `numeric`, are set to the right. */
+/**
+ * A table with a head and rows of cells; numbers, given as such in `numeric`, are set to the right.
+ */
 export function table(
   caption: string,
   head: string[],

@@ -1,4 +1,5 @@
-// Following a running program: asks for its data, shows how far it is, and says when it ends or is silent.
+// Following a running program: asks for its data, shows how far it is, and says when it ends or is
+// silent.
 import type { App } from "./app";
 import { element } from "./dom";
 import type { Progress, Report, Run } from "./format";

@@ -68,7 +68,13 @@ class LiveTest(ReportTest):
         self.driver.get(f"http://127.0.0.1:{self.program.server.server_address[1]}/")
         self.wait(lambda: self.all(".progress"))
         text = self.text(".live")
-        for wanted in ("95 ms of 500 ms", "19.0 %", "75 s", "812 a second", "limited by sound speed"):
+        for wanted in (
+            "95 ms of 500 ms",
+            "19.0 %",
+            "75 s",
+            "812 a second",
+            "limited by sound speed",
+        ):
             self.assertIn(wanted, text)
         chart = self.charts()[0]
         self.wait(lambda: self.program.unchanged > 0)
@@ -91,7 +97,9 @@ class LiveTest(ReportTest):
 
     def hover_time(self, chart, share):
         self.hover(chart, share)
-        value, unit = chart.find_element("css selector", ".at").text.replace("\u00a0", " ").split()[1:]
+        value, unit = (
+            chart.find_element("css selector", ".at").text.replace("\u00a0", " ").split()[1:]
+        )
         return float(value) * {"ms": 1e-3, "s": 1.0}[unit]
 
     def test_a_silent_program_is_told(self):

@@ -60,7 +60,9 @@ export function makeAxis(plan: AxisPlan, side: uPlot.Axis.Side, hasGrid: boolean
   } as uPlot.Axis;
 }
 
-/** What is smaller than the largest value by more than this is rounding, and would squeeze all else. */
+/**
+ * What is smaller than the largest value by more than this is rounding, and would squeeze all else.
+ */
 const MOST_DECADES = 1e12;
 
 /** Limits around the data; a curve that stays at one value gets some room around it. */

@@ -92,7 +92,10 @@ async function referenceCurve(
   };
 }
 
-/** The chosen columns of all `runs`, in the order of `keys`. References that several runs share come once. */
+/**
+ * The chosen columns of all `runs`, in the order of `keys`. References that several runs share come
+ * once.
+ */
 export async function loadCurves(app: App, keys: string[], runs: Run[]): Promise<Curve[]> {
   const loading: Promise<Curve>[] = [];
   const seen = new Set<string>();

@@ -1,4 +1,5 @@
-// What the charts show when the page opens: one chart for each quantity that several gauges measure.
+// What the charts show when the page opens: one chart for each quantity that several gauges
+// measure.
 import type { Run } from "../format";
 import { words } from "../units";
 import { availableColumns, columnKey, type Available } from "./curves";

@@ -1,4 +1,5 @@
-// The terms of the energy balance: what the particles hold, what came or went through a booked way, the rest.
+// The terms of the energy balance: what the particles hold, what came or went through a booked way,
+// the rest.
 import type { App } from "../app";
 import type { Curve } from "../charts/curves";
 import type { Column, Run, Table } from "../format";
@@ -6,7 +7,9 @@ import { words } from "../units";
 
 export type Role = "held" | "total" | "booked" | "balance";
 
-/** Signs with which terms enter the balance: held + lost - brought in by work and transformation. */
+/**
+ * Signs with which terms enter the balance: held + lost - brought in by work and transformation.
+ */
 const LOST = /^lost/;
 /** Held energy that the total already contains. */
 const CONTAINED = /^penalty/;

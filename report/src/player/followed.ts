@@ -1,4 +1,5 @@
-// The particle that is read: found by a click or by its number, followed by its number from frame to frame.
+// The particle that is read: found by a click or by its number, followed by its number from frame
+// to frame.
 import type { App } from "../app";
 import { indexOfId, valuesOf, type Picture } from "./frames";
 import { pick, place, project } from "./pick";

@@ -55,7 +55,10 @@ export interface Picking {
   reach: number;
 }
 
-/** Number of the particle nearest to the eye among those under the pointer, or else nearest to it; -1 if none is near. */
+/**
+ * Number of the particle nearest to the eye among those under the pointer, or else nearest to it;
+ * -1 if none is near.
+ */
 export function pick(picking: Picking, x: number, y: number): number {
   const { matrix, width, height, box, quads, slice, reach } = picking;
   let best = -1;

@@ -1,4 +1,5 @@
-// The WebGL part of the player. Draws on demand only: nothing moves unless the page or the reader says so.
+// The WebGL part of the player. Draws on demand only: nothing moves unless the page or the reader
+// says so.
 import { Matrix4, Scene as World, Vector3, WebGLRenderer } from "three";
 import { Dots } from "./dots";
 import { Lines } from "./lines";
@@ -21,7 +22,9 @@ class Scene implements ParticleScene {
   private readonly lines: Lines;
   private readonly seen = new Matrix4();
   private readonly toWorld = new Matrix4();
-  /** World lengths of a metre: in the world the box has size one, wherever and however small it is. */
+  /**
+   * World lengths of a metre: in the world the box has size one, wherever and however small it is.
+   */
   private unit = 1;
   private spacing = 1;
   private scale = 1;
@@ -146,6 +149,7 @@ class Scene implements ParticleScene {
   dispose(): void {
     this.view.dispose();
     this.renderer.dispose();
+    this.renderer.forceContextLoss();
   }
 }
 

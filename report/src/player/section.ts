@@ -4,12 +4,12 @@ import { element } from "../dom";
 import { makeSection, setVisible } from "../section";
 import { Player } from "./player";
 
+/** Asked once: each question takes one of the few contexts that a browser gives to a page. */
+let known: boolean | null = null;
+
 function hasWebGL(): boolean {
-  try {
-    return document.createElement("canvas").getContext("webgl2") !== null;
-  } catch {
-    return false;
-  }
+  known ??= document.createElement("canvas").getContext("webgl2") !== null;
+  return known;
 }
 
 const NO_WEBGL =

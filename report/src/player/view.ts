@@ -22,7 +22,10 @@ export class View {
   private width = 1;
   private height = 1;
   private hasView = false;
-  /** Axis of the last reset as long as the reader has not moved the view; then other sizes fit it anew. */
+  /**
+   * Axis of the last reset as long as the reader has not moved the view; then other sizes fit it
+   * anew.
+   */
   private untouchedAxis: number | null = null;
 
   constructor(

@@ -107,7 +107,7 @@ export class MembersTable {
     box.checked = this.app.isShown(run);
     box.addEventListener("change", () => {
       this.app.show([run.name], box.checked);
-      this.app.choose(run.name);
+      if (box.checked) this.app.choose(run.name);
     });
     return box;
   }

@@ -1,4 +1,5 @@
-// Can this run be trusted: checks with their limits, comparisons with reference values, the time step.
+// Can this run be trusted: checks with their limits, comparisons with reference values, the time
+// step.
 import type { App, Section } from "../app";
 import { element, stackedTable, table } from "../dom";
 import type { Comparison, Run, Vote } from "../format";
