@@ -77,7 +77,8 @@ class LiveTest(ReportTest):
         ):
             self.assertIn(wanted, text)
         chart = self.charts()[0]
-        self.wait(lambda: self.program.unchanged > 0)
+        self.wait(lambda: self.program.unchanged > 4)
+        self.assertIn("Live; last answer", self.text(".live-message"))
 
         plot = chart.find_element("css selector", ".plot")
         self.run_script("arguments[0].focus()", plot)

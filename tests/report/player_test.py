@@ -108,8 +108,12 @@ class PlayerTest(ReportTest):
     def test_colours_are_those_of_the_values(self):
         self.open_player("plane", 400)
         ends = self.all(".ends input")
-        # The middle particle has 1000 Pa: at the upper end of the range yellow, at the lower one dark.
-        for low, high, colour in ((0, 1000, (0xFD, 0xE7, 0x25)), (1000, 3000, (0x44, 0x01, 0x54))):
+        # The middle particle has 1000 Pa: the last, the middle and the first colour of viridis.
+        for low, high, colour in (
+            (0, 1000, (0xFD, 0xE7, 0x25)),
+            (0, 2000, (0x21, 0x91, 0x8C)),
+            (1000, 3000, (0x44, 0x01, 0x54)),
+        ):
             for end, value in zip(ends, (low, high)):
                 end.clear()
                 end.send_keys(str(value))

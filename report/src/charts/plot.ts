@@ -76,7 +76,12 @@ function makeScales(plan: PlotPlan, axes: AxisPlan[]): uPlot.Scales {
 }
 
 function makeSeries(curve: Curve, style: CurveStyle): uPlot.Series {
-  const common = { label: curve.label, scale: yScale(curve.unit), stroke: style.colour };
+  const common = {
+    pxAlign: 0,
+    label: curve.label,
+    scale: yScale(curve.unit),
+    stroke: style.colour,
+  };
   if (curve.isDots) {
     return {
       ...common,

@@ -69,11 +69,16 @@ function firstField(fields: Field[]): number {
 /** Share of the width that the value of a one-dimensional run is drawn high. */
 const PROFILE_HEIGHT = 0.4;
 
+/** Where only some of the particles are shown, each stands for its share of the space. */
+function shownSpacing({ spacing, total, shown, dimension }: Particles): number {
+  return shown > 0 && shown < total ? spacing * (total / shown) ** (1 / dimension) : spacing;
+}
+
 /** The box of the picture: three extents that are not all zero. */
 export function sceneBox(particles: Particles): SceneBox {
-  const { dimension, spacing, box } = particles;
+  const { dimension, box } = particles;
   const min = [0, 1, 2].map((axis) => (axis < dimension ? (box.min[axis] ?? 0) : 0));
   const max = [0, 1, 2].map((axis) => (axis < dimension ? (box.max[axis] ?? 0) : 0));
   if (dimension === 1) max[1] = PROFILE_HEIGHT * (max[0] - min[0]);
-  return { min, max, dimension, spacing };
+  return { min, max, dimension, spacing: shownSpacing(particles) };
 }

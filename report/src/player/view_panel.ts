@@ -20,7 +20,7 @@ export function viewPanel(
   state: PlayerState,
   events: ViewEvents,
 ): HTMLElement {
-  const sizes = SIZES.map((size) => ({ value: String(size), text: `${size} × spacing` }));
+  const sizes = SIZES.map((size) => ({ value: String(size), text: `${size} × distance` }));
   const size = select("Size of the dots", sizes, "1", (value) => {
     state.dotScale = Number(value);
     events.resized();
