@@ -2,7 +2,7 @@
 // silent.
 import type { App } from "./app";
 import { element } from "./dom";
-import type { Progress, Report, Run } from "./format";
+import { requireReport, type Progress, type Report, type Run } from "./format";
 import { stateText } from "./tables/facts";
 import { duration, formatNumber, withUnit } from "./units";
 
@@ -53,6 +53,8 @@ class Follower {
   private readonly runs = element("div");
   private missed = 0;
   private lastAnswer = "";
+  /** Why the last answer cannot be shown, or "". */
+  private problem = "";
 
   constructor(
     private readonly app: App,
@@ -64,14 +66,11 @@ class Follower {
 
   async poll(): Promise<void> {
     try {
-      await this.ask();
+      const news = await this.ask();
       this.missed = 0;
       this.lastAnswer = new Date().toLocaleTimeString();
-      this.say(
-        this.hasEnded()
-          ? "The run has ended. This page shows its last state."
-          : `Live; last answer ${this.lastAnswer}.`,
-      );
+      if (news) this.show(news);
+      if (!this.problem) this.sayState();
     } catch {
       ++this.missed;
       if (this.missed >= SILENT_AFTER) this.saySilent();
@@ -81,18 +80,35 @@ class Follower {
     setTimeout(() => void this.poll(), 1000 * this.interval * pause);
   }
 
-  private async ask(): Promise<void> {
+  /** The program's data; null where nothing has changed. */
+  private async ask(): Promise<Report | null> {
     const { revision } = this.app.report;
     const known = this.lastAnswer !== "" && revision !== undefined;
     const mark = this.address.includes("?") ? "&" : "?";
-    const answer = await fetch(known ? `${this.address}${mark}since=${revision}` : this.address, {
-      cache: "no-store",
-    });
-    if (answer.status === 304) return;
+    const address = known ? `${this.address}${mark}since=${revision}` : this.address;
+    const answer = await fetch(address, { cache: "no-store" });
+    if (answer.status === 304) return null;
     if (!answer.ok) throw new Error(`status ${answer.status}`);
-    const report = (await answer.json()) as Report;
-    this.app.replace({ ...report, live: this.app.report.live });
-    this.runs.replaceChildren(...report.runs.map(runState));
+    return (await answer.json()) as Report;
+  }
+
+  private show(news: Report): void {
+    this.problem = "";
+    try {
+      const report = requireReport(news);
+      this.app.replace({ ...report, live: this.app.report.live });
+      this.runs.replaceChildren(...report.runs.map(runState));
+    } catch (error) {
+      this.problem = error instanceof Error ? error.message : String(error);
+      this.say(`The program's answer cannot be shown: ${this.problem}.`, true);
+    }
+  }
+
+  private sayState(): void {
+    const text = this.hasEnded()
+      ? "The run has ended. This page shows its last state."
+      : `Live; last answer ${this.lastAnswer}.`;
+    this.say(text);
   }
 
   private hasEnded(): boolean {

@@ -13,6 +13,17 @@ export function makeSection(id: string, title: string, ...content: (Node | strin
   return { id, title, root };
 }
 
+/** Draws only where `parts` have changed: what a reader has scrolled or selected stays. */
+export function onlyChanged(parts: () => unknown, draw: () => void): () => void {
+  let known: string | null = null;
+  return () => {
+    const now = JSON.stringify(parts()) ?? "";
+    if (now === known) return;
+    known = now;
+    draw();
+  };
+}
+
 /** Shows or hides a section; the list of contents follows by the event. */
 export function setVisible(section: Section, isVisible: boolean): void {
   if (section.root.hidden === !isVisible) return;

@@ -64,6 +64,15 @@ class LiveTest(ReportTest):
         self.driver.get("about:blank")
         super().tearDown()
 
+    def test_answers_that_are_none_change_nothing(self):
+        self.program.data = {"revision": 0}  # nothing that the page could read
+        self.driver.get(f"http://127.0.0.1:{self.program.server.server_address[1]}/")
+        self.wait(lambda: "this page reads format 1" in self.text(".live-message"))
+        shown = [section.get_attribute("id") for section in self.all("main section:not([hidden])")]
+        self.assertEqual(shown, ["cite"])
+        self.program.data = live_data(1, 20, 2)
+        self.wait(lambda: self.all(".progress"))
+
     def test_a_run_from_start_to_end(self):
         self.driver.get(f"http://127.0.0.1:{self.program.server.server_address[1]}/")
         self.wait(lambda: self.all(".progress"))

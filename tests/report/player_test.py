@@ -120,6 +120,13 @@ class PlayerTest(ReportTest):
             ends[1].send_keys(Keys.TAB)
             self.wait(lambda: self.middle_pixel(colour), f"{colour} in the middle")
 
+    def test_the_range_of_one_frame(self):
+        self.open_player("plane", 400)
+        Select(self.one(".panels select[aria-label='Range']")).select_by_value("frame")
+        values = [row[2] for row in plane_rows(0) if not math.isnan(row[2])]
+        for end, expected in zip(self.all(".ends input"), (min(values), max(values))):
+            self.assertAlmostEqual(float(end.get_attribute("value")), expected, delta=0.1)
+
     def middle_pixel(self, colour):
         pixel = self.run_script(
             """const c = document.querySelector('.stage canvas'), to = document.createElement('canvas');

@@ -9,6 +9,7 @@ import { addKeys, addTouch, addWheel } from "./gestures";
 import { chartPicture } from "./picture";
 import { limitsOfX, makePlot, yScale } from "./plot";
 import { curveName, makeReading, type Entry, type Reading } from "./reading";
+import { rowsOfCurves } from "./rows_of_curves";
 import { csv, save, savePicture } from "./save";
 import { withUnit } from "../units";
 import { styles, type ColourBy } from "./style";
@@ -40,7 +41,7 @@ export class Chart {
   });
   private readonly below = element("div");
   private readonly hint = element("p", { class: "hint" });
-  readonly tools = element("div", { class: "controls" });
+  readonly tools = element("div", { class: "controls", attributes: { role: "group" } });
   private plot: uPlot | null = null;
   private curves: Curve[] = [];
   private entries: Entry[] = [];
@@ -48,6 +49,8 @@ export class Chart {
   private zoom: Zoom = {};
   private hidden = new Set<string>();
   private turn = 0;
+  private isHeld = false;
+  private hasNews = false;
   private announcing = 0;
   private drawnWidth = 0;
 
@@ -81,10 +84,27 @@ export class Chart {
     addTouch(this.area, zoomable);
     addKeys(this.area, zoomable);
     new ResizeObserver(() => this.fit()).observe(this.area);
+    this.area.addEventListener("pointerdown", () => (this.isHeld = true));
+    for (const end of ["pointerup", "pointercancel"]) addEventListener(end, () => this.letGo());
   }
 
-  /** Loads and draws anew; zoom, cursor and hidden curves stay. */
+  private letGo(): void {
+    this.isHeld = false;
+    if (!this.hasNews) return;
+    this.hasNews = false;
+    void this.refresh();
+  }
+
+  private get isOverTime(): boolean {
+    return this.options.xName === undefined;
+  }
+
+  /** Loads and draws anew; zoom, cursor and hidden curves stay. What is being dragged comes first. */
   async refresh(): Promise<void> {
+    if (this.isHeld) {
+      this.hasNews = true;
+      return;
+    }
     const turn = ++this.turn;
     const load = this.options.load ?? (() => loadCurves(this.app, [...this.keys], this.app.shown));
     try {
@@ -115,10 +135,11 @@ export class Chart {
   set title(text: string) {
     this.options.title = text;
     this.heading.textContent = text;
+    this.tools.setAttribute("aria-label", text);
   }
 
   private draw(): void {
-    this.heading.textContent = this.options.title;
+    this.title = this.options.title;
     const { app, curves, options } = this;
     const runs = new Set(curves.map((curve) => curve.run));
     const hasSeveralRuns = runs.size > 1;
@@ -152,11 +173,11 @@ export class Chart {
         width: Math.max(240, this.drawnWidth),
         height: this.height(),
         zoom: this.zoom,
-        mark: () => (options.load ? null : app.playerTime),
+        mark: () => (this.isOverTime ? app.playerTime : null),
         moved: () => this.moved(),
         select: (plot) => this.selected(plot),
         reset: () => this.resetZoom(),
-        syncKey: options.load ? null : SYNC_KEY,
+        syncKey: this.isOverTime ? SYNC_KEY : null,
       },
       this.area,
     );
@@ -266,21 +287,8 @@ export class Chart {
   }
 
   private saveCsv(): void {
-    const times = unionOfTimes(this.curves).sort((a, b) => a - b);
-    const values = this.curves.map(({ x, y }) => {
-      const at = new Map<number, number>();
-      for (let i = 0; i < x.length; ++i) at.set(x[i], y[i]);
-      return at;
-    });
-    const names = this.entries.map(({ curve }) => {
-      const unit = curve.unit ? ` [${curve.unit}]` : "";
-      return `${curve.run ? `${curve.run.name}: ` : ""}${curve.label}${unit}`;
-    });
-    const rows = times.map((time) => [time, ...values.map((at) => at.get(time))]);
-    save(
-      `${this.options.title}.csv`,
-      csv([[`${this.options.xName ?? "time"} [${this.options.xUnit ?? "s"}]`, ...names], ...rows]),
-    );
+    const { title, xName = "time", xUnit = "s" } = this.options;
+    save(`${title}.csv`, csv(rowsOfCurves(xName, xUnit, this.curves)));
   }
 
   private savePng(): void {

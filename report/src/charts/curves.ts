@@ -35,6 +35,12 @@ export function columnKey(table: string, label: string): string {
   return `${table}\n${label}`;
 }
 
+/** Names of gauges are the user's own and stay as they are. */
+function labelOf({ label, gauge, name }: Column): string {
+  if (gauge === "") return words(label);
+  return label === `${gauge} ${name}` ? `${gauge} ${words(name)}` : label;
+}
+
 export function availableColumns(runs: Run[]): Available[] {
   const found = new Map<string, Available>();
   for (const run of runs) {
@@ -60,7 +66,7 @@ async function columnCurve(app: App, run: Run, table: Table, column: Column): Pr
   const common = {
     run,
     key: columnKey(table.name, column.label),
-    label: words(column.label),
+    label: labelOf(column),
     unit: column.unit,
   };
   return { ...common, quantity: words(column.name), isDots: false, source: "", note, x, y };

@@ -27,7 +27,9 @@ function csvCell(value: string | number | null | undefined): string {
     (typeof value === "number" && !Number.isFinite(value))
   )
     return "";
-  const text = String(value);
+  // A spreadsheet would take a name that begins so for a formula.
+  const isFormula = typeof value === "string" && /^[=+@\t-]/.test(value);
+  const text = (isFormula ? "'" : "") + String(value);
   return /[",\n\r;]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
 }
 

@@ -17,6 +17,7 @@ class Charts {
   readonly list = element("div", { class: "charts" });
   private readonly panels: Panel[] = [];
   private hasChosen = false;
+  readonly adding = button("Add a chart", () => this.add({ title: "New chart", keys: [] }));
 
   constructor(private readonly app: App) {}
 
@@ -101,6 +102,7 @@ class Charts {
   private remove(panel: Panel): void {
     this.panels.splice(this.panels.indexOf(panel), 1);
     panel.chart.root.remove();
+    this.adding.focus();
   }
 }
 
@@ -127,7 +129,6 @@ function overlayChoice(app: App): HTMLElement {
 
 export function chartsSection(app: App): Section {
   const charts = new Charts(app);
-  const add = button("Add a chart", () => charts.add({ title: "New chart", keys: [] }));
   const help = element(
     "p",
     { class: "hint" },
@@ -138,7 +139,7 @@ export function chartsSection(app: App): Section {
     "Curves",
     overlayChoice(app),
     charts.list,
-    element("div", { class: "controls" }, add),
+    element("div", { class: "controls" }, charts.adding),
     help,
   );
   const update = () => {

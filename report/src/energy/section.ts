@@ -83,6 +83,7 @@ export function energySection(app: App): Section {
   };
   app.on(["data", "run"], update);
   app.on(["theme"], () => [balance, drift].forEach((chart) => chart.redraw()));
+  app.on(["time"], () => [balance, drift].forEach((chart) => chart.markMoved()));
   update();
   return section;
 }

@@ -12,6 +12,7 @@ function hasWebGL(): boolean {
   return known;
 }
 
+const NO_PLAYER = "This page was written without the part that draws particles.";
 const NO_WEBGL =
   "This browser cannot draw particles: it has no WebGL 2, or it is switched off. All other parts of the page work without it.";
 
@@ -42,7 +43,7 @@ export function playerSection(app: App): Section {
     help.hidden = !make || !hasWebGL();
     if (!make || !hasWebGL()) {
       content.replaceChildren(
-        element("p", { class: "problem" }, NO_WEBGL),
+        element("p", { class: "problem" }, make ? NO_WEBGL : NO_PLAYER),
         element("p", { class: "note" }, particles.note),
       );
       return;

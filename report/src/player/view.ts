@@ -52,6 +52,7 @@ export class View {
     this.centre.addVectors(min, max).multiplyScalar(0.5);
     this.size.subVectors(max, min);
     if (!this.hasView) this.reset(-1);
+    else if (this.untouchedAxis !== null) this.reset(this.untouchedAxis);
   }
 
   reset(axis: number): void {

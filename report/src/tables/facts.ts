@@ -2,7 +2,7 @@
 import type { App, Section } from "../app";
 import { element, table } from "../dom";
 import type { Run } from "../format";
-import { makeSection, setVisible } from "../section";
+import { makeSection, onlyChanged, setVisible } from "../section";
 
 const STATES: Record<Run["state"], string> = {
   ended: "ended",
@@ -53,7 +53,19 @@ export function factsSection(app: App): Section {
     else if (runs.length > 1)
       content.replaceChildren(factsOfSeveral(app.shown.length > 0 ? app.shown : runs.slice(0, 8)));
   };
-  app.on(["data", "shown"], draw);
-  draw();
+  const update = onlyChanged(
+    () =>
+      app.report.runs.map((run) => [
+        run.name,
+        run.title,
+        run.facts,
+        run.state,
+        run.end_reason,
+        app.isShown(run),
+      ]),
+    draw,
+  );
+  app.on(["data", "shown"], update);
+  update();
   return section;
 }

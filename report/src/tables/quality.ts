@@ -3,7 +3,7 @@
 import type { App, Section } from "../app";
 import { element, stackedTable, table } from "../dom";
 import type { Comparison, Run, Vote } from "../format";
-import { makeSection, setVisible } from "../section";
+import { makeSection, onlyChanged, setVisible } from "../section";
 import { formatNumber, withUnit } from "../units";
 import { verdictMark } from "./verdict";
 
@@ -78,7 +78,8 @@ export function qualitySection(app: App): Section {
       content.append(element("h3", {}, "What limited the time step"), votes(run));
     setVisible(section, content.childElementCount > 0);
   };
-  app.on(["data", "run"], draw);
-  draw();
+  const update = onlyChanged(() => [app.run?.quality, app.run?.comparisons, app.run?.votes], draw);
+  app.on(["data", "run"], update);
+  update();
   return section;
 }

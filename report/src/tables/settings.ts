@@ -2,7 +2,7 @@
 import type { App, Section } from "../app";
 import { checkbox, element, field, stackedTable } from "../dom";
 import type { Setting } from "../format";
-import { makeSection, setVisible } from "../section";
+import { makeSection, onlyChanged, setVisible } from "../section";
 import { typesetUnit } from "../units";
 
 function matches(setting: Setting, wanted: string): boolean {
@@ -57,7 +57,8 @@ export function settingsSection(app: App): Section {
   );
   const section = makeSection("settings", "Settings", bar, content);
   search.addEventListener("input", draw);
-  app.on(["data", "run"], draw);
-  draw();
+  const update = onlyChanged(() => app.run?.settings, draw);
+  app.on(["data", "run"], update);
+  update();
   return section;
 }

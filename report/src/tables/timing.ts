@@ -1,7 +1,7 @@
 // Where the computing time went, and the stages of the run.
 import type { App, Section } from "../app";
 import { element, table } from "../dom";
-import { makeSection, setVisible } from "../section";
+import { makeSection, onlyChanged, setVisible } from "../section";
 import { duration, formatNumber, withUnit } from "../units";
 
 export function timingSection(app: App): Section {
@@ -33,8 +33,9 @@ export function timingSection(app: App): Section {
       ),
     );
   };
-  app.on(["data", "run"], draw);
-  draw();
+  const update = onlyChanged(() => app.run?.timing, draw);
+  app.on(["data", "run"], update);
+  update();
   return section;
 }
 
@@ -54,7 +55,8 @@ export function stagesSection(app: App): Section {
       table("Stages of the run", ["Stage", "From", "Step", "Cause"], rows, [1, 2]),
     );
   };
-  app.on(["data", "run"], draw);
-  draw();
+  const update = onlyChanged(() => app.run?.stages, draw);
+  app.on(["data", "run"], update);
+  update();
   return section;
 }
