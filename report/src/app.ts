@@ -2,7 +2,10 @@
 import { Blocks } from "./blocks";
 import type { Report, Run } from "./format";
 
-/** data: new live data; run: another run chosen; shown: other curves overlaid; theme; time: of the player. */
+/**
+ * data: new live data; run: another run chosen; shown: other curves overlaid; theme; time: of the
+ * player.
+ */
 export type Change = "data" | "run" | "shown" | "theme" | "time";
 
 export class App {
@@ -10,7 +13,9 @@ export class App {
   /** Time of the player's frame [s], a line in the charts. */
   playerTime: number | null = null;
   private chosen = "";
-  /** Names of the runs whose curves are drawn; null until somebody chooses, then new runs stay out. */
+  /**
+   * Names of the runs whose curves are drawn; null until somebody chooses, then new runs stay out.
+   */
   private overlaid: Set<string> | null = null;
   private readonly listeners = new Map<Change, Set<() => void>>();
 

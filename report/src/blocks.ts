@@ -82,7 +82,9 @@ export class Blocks {
   }
 
   private text(name: string): string {
-    const text = this.given ? this.given[name] : document.getElementById(`block:${name}`)?.textContent;
+    const text = this.given
+      ? this.given[name]
+      : document.getElementById(`block:${name}`)?.textContent;
     if (typeof text !== "string") throw new Error(`block "${name}" is missing`);
     return text;
   }

@@ -188,3 +188,13 @@ export interface Member {
 export const POSITION_STEPS = 65535;
 export const VALUE_STEPS = 65534;
 export const NO_VALUE = 65535;
+
+/** Throws where data are not what this page reads. */
+export function requireReport(data: unknown): Report {
+  const report = data as Partial<Report> | null;
+  if (report?.format !== 1) {
+    throw new Error(`the data have format ${String(report?.format)}, this page reads format 1`);
+  }
+  if (!Array.isArray(report.runs)) throw new Error("the data have no list of runs");
+  return report as Report;
+}

@@ -9,7 +9,8 @@ function themeButton(app: App): HTMLButtonElement {
   let theme: Theme = "automatic";
   const dark = matchMedia("(prefers-color-scheme: dark)");
   const apply = () => {
-    document.documentElement.dataset.theme = theme === "automatic" ? (dark.matches ? "dark" : "light") : theme;
+    document.documentElement.dataset.theme =
+      theme === "automatic" ? (dark.matches ? "dark" : "light") : theme;
     made.textContent = `Theme: ${theme}`;
     app.tell("theme");
   };
@@ -26,7 +27,8 @@ function themeButton(app: App): HTMLButtonElement {
 function contents(sections: Section[]): HTMLElement {
   const list = element("ul");
   const draw = () => {
-    const links = sections.filter((s) => !s.root.hidden)
+    const links = sections
+      .filter((s) => !s.root.hidden)
       .map((s) => element("li", {}, element("a", { attributes: { href: `#${s.id}` } }, s.title)));
     list.replaceChildren(...links);
   };
@@ -42,7 +44,12 @@ function runChooser(app: App): HTMLElement {
   const draw = () => {
     const { runs } = app.report;
     holder.hidden = runs.length < 2;
-    if (document.activeElement !== list) setChoices(list, runs.map((run) => ({ value: run.name, text: run.title || run.name })), app.run?.name ?? "");
+    if (document.activeElement !== list)
+      setChoices(
+        list,
+        runs.map((run) => ({ value: run.name, text: run.title || run.name })),
+        app.run?.name ?? "",
+      );
   };
   holder.title = "for quality, particles, energy, computing time, stages and settings";
   app.on(["data", "run"], draw);
@@ -55,13 +62,18 @@ function titleOf(app: App): string {
   if (sweep) return sweep.title;
   if (runs.length === 0) return "Waiting for the program";
   if (runs.length === 1) return runs[0].title || runs[0].name;
-  return `${runs.length} runs: ${runs.map((run) => run.title || run.name).slice(0, 4).join(", ")}${runs.length > 4 ? " …" : ""}`;
+  return `${runs.length} runs: ${runs
+    .map((run) => run.title || run.name)
+    .slice(0, 4)
+    .join(", ")}${runs.length > 4 ? " …" : ""}`;
 }
 
 function madeText(app: App): string {
   const { program, made } = app.report;
   const date = new Date(made);
-  const when = Number.isNaN(date.getTime()) ? made : `${date.toISOString().slice(0, 16).replace("T", " ")} UTC`;
+  const when = Number.isNaN(date.getTime())
+    ? made
+    : `${date.toISOString().slice(0, 16).replace("T", " ")} UTC`;
   const revision = program.revision ? ` (${program.revision})` : "";
   return `${program.name} ${program.version}${revision} · ${when}`;
 }

@@ -2,7 +2,7 @@
 import { App } from "./app";
 import { chartsSection } from "./charts/section";
 import { element } from "./dom";
-import type { Report } from "./format";
+import { requireReport, type Report } from "./format";
 import { makeHeader } from "./header";
 import { followProgram } from "./live";
 import { playerSection } from "./player/section";
@@ -15,16 +15,22 @@ import { sweepSection } from "./sweep/section";
 import { stagesSection, timingSection } from "./tables/timing";
 
 const SECTIONS = [
-  factsSection, sweepSection, qualitySection, chartsSection, playerSection,
-  energySection, timingSection, stagesSection, settingsSection, citeSection,
+  factsSection,
+  sweepSection,
+  qualitySection,
+  chartsSection,
+  playerSection,
+  energySection,
+  timingSection,
+  stagesSection,
+  settingsSection,
+  citeSection,
 ];
 
 function readReport(): Report {
   const text = document.getElementById("report")?.textContent;
   if (!text) throw new Error("there are no data in this page");
-  const report = JSON.parse(text) as Report;
-  if (report.format !== 1) throw new Error(`its data have format ${String(report.format)}, this page reads format 1`);
-  return report;
+  return requireReport(JSON.parse(text));
 }
 
 function start(main: HTMLElement): void {
@@ -42,6 +48,8 @@ if (main) {
     start(main);
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
-    main.replaceChildren(element("p", { class: "problem" }, `This report cannot be shown: ${reason}.`));
+    main.replaceChildren(
+      element("p", { class: "problem" }, `This report cannot be shown: ${reason}.`),
+    );
   }
 }

@@ -6,14 +6,41 @@ export interface DisplayUnit {
 }
 
 const PREFIXES: [number, string][] = [
-  [1e-12, "p"], [1e-9, "n"], [1e-6, "µ"], [1e-3, "m"], [1, ""], [1e3, "k"], [1e6, "M"], [1e9, "G"], [1e12, "T"],
+  [1e-12, "p"],
+  [1e-9, "n"],
+  [1e-6, "µ"],
+  [1e-3, "m"],
+  [1, ""],
+  [1e3, "k"],
+  [1e6, "M"],
+  [1e9, "G"],
+  [1e12, "T"],
 ];
 
 /** Symbols that take a prefix, with the largest one in use: nobody reads kiloseconds. */
-const LARGEST_PREFIX: Record<string, number> = { Pa: 1e12, J: 1e12, W: 1e12, N: 1e12, Hz: 1e12, s: 1, m: 1e3, g: 1 };
+const LARGEST_PREFIX: Record<string, number> = {
+  Pa: 1e12,
+  J: 1e12,
+  W: 1e12,
+  N: 1e12,
+  Hz: 1e12,
+  s: 1,
+  m: 1e3,
+  g: 1,
+};
 
 const RAISED: Record<string, string> = {
-  "-": "⁻", "0": "⁰", "1": "¹", "2": "²", "3": "³", "4": "⁴", "5": "⁵", "6": "⁶", "7": "⁷", "8": "⁸", "9": "⁹",
+  "-": "⁻",
+  "0": "⁰",
+  "1": "¹",
+  "2": "²",
+  "3": "³",
+  "4": "⁴",
+  "5": "⁵",
+  "6": "⁶",
+  "7": "⁷",
+  "8": "⁸",
+  "9": "⁹",
 };
 
 export function raised(exponent: number | string): string {
@@ -22,7 +49,10 @@ export function raised(exponent: number | string): string {
 
 /** "kPa·ms" for "kPa ms", "m³" for "m^3". */
 export function typesetUnit(unit: string): string {
-  return unit.replace(/([A-Za-z])\^?(-?\d+)/g, (_, symbol: string, power: string) => symbol + raised(power)).replace(/ /g, "·").replace(/\bu(?=[smJPN])/g, "µ");
+  return unit
+    .replace(/([A-Za-z])\^?(-?\d+)/g, (_, symbol: string, power: string) => symbol + raised(power))
+    .replace(/ /g, "·")
+    .replace(/\bu(?=[smJPN])/g, "µ");
 }
 
 export function displayUnit(unit: string, largest: number): DisplayUnit {
@@ -65,7 +95,8 @@ export function formatNumber(value: number | null | undefined, digits = 6): stri
     return `${withoutZeros(mantissa)}·10${raised(Number(exponent))}`.replace("-", "−");
   }
   const [whole, part = ""] = withoutZeros(value.toPrecision(digits)).split(".");
-  const grouped = whole.replace("-", "").length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, "\u202f") : whole;
+  const grouped =
+    whole.replace("-", "").length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, "\u202f") : whole;
   return (part ? `${grouped}.${part}` : grouped).replace("-", "−");
 }
 
@@ -73,7 +104,12 @@ function withoutZeros(text: string): string {
   return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
 }
 
-export function withUnit(value: number | null | undefined, unit: string, digits = 4, largest = value): string {
+export function withUnit(
+  value: number | null | undefined,
+  unit: string,
+  digits = 4,
+  largest = value,
+): string {
   if (value === null || value === undefined || Number.isNaN(value)) return "–";
   const shown = displayUnit(unit, largest ?? value);
   const number = formatNumber(value / shown.factor, digits);
@@ -92,12 +128,19 @@ export function duration(seconds: number): string {
 }
 
 /** Numbers of ticks, all with as many decimals as the step between them needs. */
-export function formatTicks(values: (number | null)[], factor: number, isLogarithmic: boolean): string[] {
+export function formatTicks(
+  values: (number | null)[],
+  factor: number,
+  isLogarithmic: boolean,
+): string[] {
   if (isLogarithmic) return values.map((v) => (v === null ? "" : formatNumber(v / factor, 4)));
   const scaled = values.map((v) => (v === null ? null : v / factor));
   const known = scaled.filter((v): v is number => v !== null);
   const step = known.length > 1 ? Math.abs(known[1] - known[0]) : 1;
-  const decimals = Math.min(12, Math.max(0, Math.ceil(-Math.log10(step) - 1e-9) + (isRound(step) ? 0 : 1)));
+  const decimals = Math.min(
+    12,
+    Math.max(0, Math.ceil(-Math.log10(step) - 1e-9) + (isRound(step) ? 0 : 1)),
+  );
   return scaled.map((v) => {
     if (v === null) return "";
     const rounded = Math.abs(v) < step * 1e-6 ? 0 : v;
@@ -107,7 +150,8 @@ export function formatTicks(values: (number | null)[], factor: number, isLogarit
 
 function groupedFixed(value: number, decimals: number): string {
   const [whole, part] = value.toFixed(decimals).split(".");
-  const grouped = whole.replace("-", "").length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, "\u202f") : whole;
+  const grouped =
+    whole.replace("-", "").length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, "\u202f") : whole;
   return (part === undefined ? grouped : `${grouped}.${part}`).replace("-", "−");
 }
 

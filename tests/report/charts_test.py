@@ -1,29 +1,15 @@
-"""Curves: what is read, chosen, zoomed and saved. Expected values come from the formulas of the samples."""
+"""Curves: what is read, chosen, zoomed and saved. Expected values follow from the samples' formulas."""
 import csv
 import unittest
 
-from report_test import ReportTest, Shared, parse, time
+from chart_test_base import DIGITS, ChartTest, nearest_time, si
+from report_test import Shared, parse
 from sample_report import END, OVERLAID, ROWS, level, pressure
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
-FACTORS = {"kPa": 1e3, "Pa": 1.0, "m": 1.0, "mm": 1e-3, "ms": 1e-3, "s": 1.0}
-DIGITS = 1e-5  # six digits are shown
 
-
-def si(reading):
-    value, unit = reading
-    return value * FACTORS[unit]
-
-
-def nearest_time(share, rows=ROWS):
-    return END * round(share * (rows - 1)) / (rows - 1)
-
-
-class ChartsTest(ReportTest):
-    def pressure_chart(self):
-        return next(chart for chart in self.charts() if "ressure" in chart.find_element(By.TAG_NAME, "h3").text)
-
+class ChartsTest(ChartTest):
     def test_hovering_reads_the_value_of_the_sample(self):
         self.open("gauges")
         chart = self.pressure_chart()
@@ -31,18 +17,28 @@ class ChartsTest(ReportTest):
             met = self.hover(chart, share)
             at = nearest_time(met)
             readings = self.readings(chart)
-            shown = parse(chart.find_element(By.CSS_SELECTOR, ".at").text.replace(" ms", "\u00a0ms").removeprefix("time "))
+            shown = parse(
+                chart.find_element(By.CSS_SELECTOR, ".at")
+                .text.replace(" ms", "\u00a0ms")
+                .removeprefix("time ")
+            )
             self.assertAlmostEqual(si(shown), at, delta=1e-9)
             for gauge in (1, 2, 3):
                 expected = pressure(at, gauge)
-                self.assertAlmostEqual(si(readings[f"P{gauge} pressure"]), expected, delta=abs(expected) * DIGITS + 1e-6)
+                self.assertAlmostEqual(
+                    si(readings[f"P{gauge} pressure"]),
+                    expected,
+                    delta=abs(expected) * DIGITS + 1e-6,
+                )
 
     def test_measured_values_are_dots_with_their_own_times(self):
         self.open("gauges")
         chart = self.pressure_chart()
         met = self.hover(chart, 0.42)
         at = 0.02 * round(nearest_time(met) / 0.02)
-        self.assertAlmostEqual(si(self.readings(chart)["measured"]), 1.1 * pressure(at), delta=abs(pressure(at)) * 2e-5)
+        self.assertAlmostEqual(
+            si(self.readings(chart)["measured"]), 1.1 * pressure(at), delta=abs(pressure(at)) * 2e-5
+        )
         self.assertEqual(len(chart.find_elements(By.CSS_SELECTOR, ".swatch circle")), 1)
 
     def test_keys_move_the_cursor_and_say_what_it_reads(self):
@@ -52,7 +48,9 @@ class ChartsTest(ReportTest):
         self.run_script("arguments[0].focus()", plot)
         plot.send_keys(Keys.HOME, *[Keys.ARROW_RIGHT] * 7, Keys.ARROW_LEFT)
         expected = pressure(6 * END / (ROWS - 1), 2)
-        self.assertAlmostEqual(si(self.readings(chart)["P2 pressure"]), expected, delta=abs(expected) * DIGITS)
+        self.assertAlmostEqual(
+            si(self.readings(chart)["P2 pressure"]), expected, delta=abs(expected) * DIGITS
+        )
         self.wait(lambda: self.all("#announcer") and "P2 pressure" in self.text("#announcer"))
         self.assertIn("time 6 ms", self.text("#announcer"))
 
@@ -62,7 +60,9 @@ class ChartsTest(ReportTest):
         self.hover(chart, 0.5)
         self.assertIsNone(self.readings(chart)["H1 level"][0])
         met = self.hover(chart, 0.1)
-        self.assertAlmostEqual(si(self.readings(chart)["H1 level"]), level(nearest_time(met)), delta=1e-6)
+        self.assertAlmostEqual(
+            si(self.readings(chart)["H1 level"]), level(nearest_time(met)), delta=1e-6
+        )
 
     def test_all_runs_are_drawn_over_each_other(self):
         self.open("overlaid")
@@ -73,47 +73,36 @@ class ChartsTest(ReportTest):
         for name, (rows, scale) in OVERLAID.items():
             at = nearest_time(cursor / END, rows)
             expected = pressure(at, 1, scale)
-            self.assertAlmostEqual(si(readings[f"P1 pressure · Dam break, {name}"]), expected, delta=abs(expected) * 2 * DIGITS)
-        colours = {line.get_attribute("stroke") for line in chart.find_elements(By.CSS_SELECTOR, ".swatch line")}
+            self.assertAlmostEqual(
+                si(readings[f"P1 pressure · Dam break, {name}"]),
+                expected,
+                delta=abs(expected) * 2 * DIGITS,
+            )
+        colours = {
+            line.get_attribute("stroke")
+            for line in chart.find_elements(By.CSS_SELECTOR, ".swatch line")
+        }
         self.assertEqual(len(colours), 3)
         box = self.one("#curves .overlay input")
         self.click(box)
-        self.wait(lambda: not any("coarse" in name for name in self.readings(self.pressure_chart())))
+        self.wait(
+            lambda: not any("coarse" in name for name in self.readings(self.pressure_chart()))
+        )
 
-    def test_zoom_by_drag_wheel_and_keys_and_back(self):
+    def test_several_units_have_axes_of_their_own(self):
         self.open("gauges")
         chart = self.pressure_chart()
-        over = chart.find_element(By.CSS_SELECTOR, ".u-over")
-        self.hover(chart, 0.2)
-        left, top, width, height = self.run_script("const r = arguments[0].getBoundingClientRect(); return [r.left, r.top, r.width, r.height]", over)
-        y = round(top + height / 2)
-        self.mouse("mousePressed", round(left + 0.2 * width), y, button="left", clickCount=1)
-        self.mouse("mouseMoved", round(left + 0.3 * width), y, button="left", buttons=1)
-        self.mouse("mouseMoved", round(left + 0.4 * width), y, button="left", buttons=1)
-        self.mouse("mouseReleased", round(left + 0.4 * width), y, button="left", clickCount=1)
-        met = self.hover(chart, 0.5)
-        expected = pressure(nearest_time(0.2 + 0.2 * met), 3)
-        self.assertAlmostEqual(si(self.readings(chart)["P3 pressure"]), expected, delta=abs(expected) * 0.02 + 300)
-        self.click(self.button(chart, "Reset zoom"))
-        self.whole_again(chart)
-        plot = chart.find_element(By.CSS_SELECTOR, ".plot")
-        self.run_script("arguments[0].focus()", plot)
-        self.hover(chart, 0.0)
-        x, y = round(left + 2), round(self.run_script("return arguments[0].getBoundingClientRect().top", over) + 50)
-        self.mouse("mouseWheel", x, y, deltaX=0, deltaY=-600)
-        time.sleep(0.1)
-        self.hover(chart, 0.99)
-        self.assertLess(self.cursor_time(chart), 0.7 * END)
-        plot.send_keys("0")
-        self.whole_again(chart)
-
-    def whole_again(self, chart):
-        met = self.hover(chart, 0.99)
-        self.assertAlmostEqual(self.cursor_time(chart), nearest_time(met), delta=1e-9)
-
-    def cursor_time(self, chart):
-        value, unit = chart.find_element(By.CSS_SELECTOR, ".at").text.replace("\u00a0", " ").split()[1:]
-        return float(value) * FACTORS[unit]
+        self.click(self.button(chart, "Choose curves"))
+        for name in ("H1 (level)", "P1 (point)"):
+            group = next(
+                g for g in chart.find_elements(By.CSS_SELECTOR, "details") if name in g.text
+            )
+            self.click(group.find_elements(By.CSS_SELECTOR, "input")[-1])
+        self.wait(lambda: {"H1 level", "P1 density"} <= set(self.readings(chart)))
+        self.assertEqual(len(chart.find_elements(By.CSS_SELECTOR, ".u-axis")), 4)
+        met = self.hover(chart, 0.2)
+        expected = level(nearest_time(met))
+        self.assertAlmostEqual(si(self.readings(chart)["H1 level"]), expected, delta=1e-6)
 
     def test_columns_are_chosen(self):
         self.open("gauges")
@@ -135,7 +124,7 @@ class ChartsTest(ReportTest):
         with open(self.downloaded(".csv", before), newline="") as file:
             rows = list(csv.reader(file))
         self.assertEqual(rows[0][0], "time [s]")
-        self.assertEqual(len(rows[0]), 1 + 9)
+        self.assertEqual(len(rows[0]), 1 + 6)
         self.assertEqual(len(rows), 1 + ROWS)  # the times of the finest run are those of all
         column = rows[0].index("middle: P2 pressure [Pa]")
         held = [(float(row[0]), float(row[column])) for row in rows[1:] if row[column]]

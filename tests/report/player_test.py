@@ -4,7 +4,15 @@ import math
 import unittest
 
 from report_test import ReportTest, Shared, time
-from sample_particles import CENTRE_ID, CUBE, FRAMES, centre_pressure, cube_rows, frame_time, plane_rows
+from sample_particles import (
+    CENTRE_ID,
+    CUBE,
+    FRAMES,
+    centre_pressure,
+    cube_rows,
+    frame_time,
+    plane_rows,
+)
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import Select
@@ -14,10 +22,15 @@ class PlayerTest(ReportTest):
     def open_player(self, name, count):
         self.open(name)
         self.wait(lambda: self.all(f".count[data-drawn='{count}']"))
-        self.run_script("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", self.one(".stage"))
+        self.run_script(
+            "arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})",
+            self.one(".stage"),
+        )
 
     def picture(self):
-        data = self.run_script("return document.querySelector('.stage canvas').toDataURL('image/png')")
+        data = self.run_script(
+            "return document.querySelector('.stage canvas').toDataURL('image/png')"
+        )
         return base64.b64decode(data.split(",")[1])
 
     def frame(self):
@@ -27,13 +40,17 @@ class PlayerTest(ReportTest):
         return int(self.one(".count").get_attribute("data-drawn"))
 
     def click_stage(self, share_x, share_y):
-        left, top, width, height = self.run_script("const r = document.querySelector('.stage canvas').getBoundingClientRect(); return [r.left, r.top, r.width, r.height]")
+        left, top, width, height = self.run_script(
+            "const r = document.querySelector('.stage canvas').getBoundingClientRect(); return [r.left, r.top, r.width, r.height]"
+        )
         x, y = round(left + share_x * width), round(top + share_y * height)
         for kind in ("mouseMoved", "mousePressed", "mouseReleased"):
             self.mouse(kind, x, y, button="left" if kind != "mouseMoved" else "none", clickCount=1)
 
     def values(self):
-        pairs = self.run_script("return [...document.querySelectorAll('.values > div')].map(d => [...d.children].map(c => c.textContent))")
+        pairs = self.run_script(
+            "return [...document.querySelectorAll('.values > div')].map(d => [...d.children].map(c => c.textContent))"
+        )
         return {name: value.replace("\u00a0", " ").replace("\u2212", "-") for name, value in pairs}
 
     def test_it_plays_and_pauses(self):
@@ -91,25 +108,39 @@ class PlayerTest(ReportTest):
     def test_colours_are_those_of_the_values(self):
         self.open_player("plane", 400)
         ends = self.all(".ends input")
-        # The middle particle has 1000 Pa: at the upper end of the range it must be yellow, at the lower one dark.
-        for low, high, colour in ((0, 1000, (0xFD, 0xE7, 0x25)), (1000, 3000, (0x44, 0x01, 0x54))):
+        # The middle particle has 1000 Pa: the last, the middle and the first colour of viridis.
+        for low, high, colour in (
+            (0, 1000, (0xFD, 0xE7, 0x25)),
+            (0, 2000, (0x21, 0x91, 0x8C)),
+            (1000, 3000, (0x44, 0x01, 0x54)),
+        ):
             for end, value in zip(ends, (low, high)):
                 end.clear()
                 end.send_keys(str(value))
             ends[1].send_keys(Keys.TAB)
             self.wait(lambda: self.middle_pixel(colour), f"{colour} in the middle")
 
+    def test_the_range_of_one_frame(self):
+        self.open_player("plane", 400)
+        Select(self.one(".panels select[aria-label='Range']")).select_by_value("frame")
+        values = [row[2] for row in plane_rows(0) if not math.isnan(row[2])]
+        for end, expected in zip(self.all(".ends input"), (min(values), max(values))):
+            self.assertAlmostEqual(float(end.get_attribute("value")), expected, delta=0.1)
+
     def middle_pixel(self, colour):
         pixel = self.run_script(
             """const c = document.querySelector('.stage canvas'), to = document.createElement('canvas');
             to.width = c.width; to.height = c.height;
             const context = to.getContext('2d'); context.drawImage(c, 0, 0);
-            return [...context.getImageData(c.width / 2, c.height / 2, 1, 1).data]""")
+            return [...context.getImageData(c.width / 2, c.height / 2, 1, 1).data]"""
+        )
         return all(abs(a - b) <= 3 for a, b in zip(pixel, colour))
 
     def test_categories_have_names_and_can_be_hidden(self):
         self.open_player("plane", 400)
-        Select(self.one(".panels select[aria-label='Colour by']")).select_by_visible_text("material")
+        Select(self.one(".panels select[aria-label='Colour by']")).select_by_visible_text(
+            "material"
+        )
         self.wait(lambda: [e.text for e in self.all(".legend .check")] == ["water", "light oil"])
         water = sum(1 for row in plane_rows(0) if row[4] == 0)
         self.click(self.all(".legend input")[0])
@@ -140,7 +171,9 @@ class PlayerTest(ReportTest):
 
     def test_walls_and_probes_can_be_switched(self):
         self.open_player("plane", 400)
-        self.assertEqual([label.text for label in self.all(".stage .label")], ["P1", "H1 level", "inlet"])
+        self.assertEqual(
+            [label.text for label in self.all(".stage .label")], ["P1", "H1 level", "inlet"]
+        )
         shown = self.picture()
         boxes = {label.text: label for label in self.all(".panels .check")}
         self.click(boxes["Walls"])
@@ -161,7 +194,9 @@ class PlayerTest(ReportTest):
 
     def test_without_webgl_the_rest_works(self):
         script = "const get = HTMLCanvasElement.prototype.getContext; HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return kind.startsWith('webgl') ? null : get.call(this, kind, ...more); };"
-        added = self.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": script})
+        added = self.driver.execute_cdp_cmd(
+            "Page.addScriptToEvaluateOnNewDocument", {"source": script}
+        )
         try:
             self.open("plane")
             self.assertIn("no WebGL", self.text("#particles .problem"))

@@ -1,4 +1,4 @@
-"""What all tests share: one browser, the pages of the samples, and the questions they ask of a page."""
+"""What all tests share: one browser, the samples' pages, and the questions they ask of a page."""
 import json
 import pathlib
 import tempfile
@@ -48,9 +48,18 @@ class ReportTest(unittest.TestCase):
         self.driver.get_log("performance")
 
     def tearDown(self):
-        bad = [entry for entry in self.driver.get_log("browser") if entry["level"] in ("SEVERE", "WARNING")]
+        bad = [
+            entry
+            for entry in self.driver.get_log("browser")
+            if entry["level"] in ("SEVERE", "WARNING")
+        ]
         # Remarks of the software renderer on reading pixels back are none of ours.
-        bad = [e for e in bad if "GPU stall due to ReadPixels" not in e["message"] and not any(x in e["message"] for x in self.expected_errors)]
+        bad = [
+            e
+            for e in bad
+            if "GPU stall due to ReadPixels" not in e["message"]
+            and not any(x in e["message"] for x in self.expected_errors)
+        ]
         self.assertEqual(bad, [], "the browser's console")
 
     def open(self, name):
@@ -74,7 +83,12 @@ class ReportTest(unittest.TestCase):
 
     def text(self, selector):
         """Text of an element, also where it is scrolled out of view."""
-        return self.run_script("return arguments[0].textContent", self.one(selector)).replace("\u00a0", " ").replace("\u2212", "-").replace("\u202f", "")
+        return (
+            self.run_script("return arguments[0].textContent", self.one(selector))
+            .replace("\u00a0", " ")
+            .replace("\u2212", "-")
+            .replace("\u202f", "")
+        )
 
     def button(self, within, text):
         for found in within.find_elements(By.TAG_NAME, "button"):
@@ -83,7 +97,9 @@ class ReportTest(unittest.TestCase):
         self.fail(f"no button '{text}'")
 
     def click(self, element):
-        self.run_script("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", element)
+        self.run_script(
+            "arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", element
+        )
         element.click()
 
     def charts(self, section="curves"):
@@ -91,11 +107,13 @@ class ReportTest(unittest.TestCase):
         return self.all(f"#{section} .chart")
 
     def hover(self, chart, share_x, share_y=0.5):
-        """Moves the mouse to a place in the plotting area, given in shares of it; returns the place in x that was met."""
+        """Moves the mouse to a place given in shares of the plotting area; returns what it met in x."""
         over = chart.find_element(By.CSS_SELECTOR, ".u-over")
         self.run_script("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", over)
         place = over.rect
-        view = self.run_script("const r = arguments[0].getBoundingClientRect(); return [r.left, r.top]", over)
+        view = self.run_script(
+            "const r = arguments[0].getBoundingClientRect(); return [r.left, r.top]", over
+        )
         x, y = round(view[0] + share_x * place["width"]), round(view[1] + share_y * place["height"])
         # Twice: the first one enters the plot.
         for shift in (1, 0):
@@ -103,17 +121,23 @@ class ReportTest(unittest.TestCase):
         return (x - view[0]) / place["width"]
 
     def mouse(self, kind, x, y, **more):
-        self.driver.execute_cdp_cmd("Input.dispatchMouseEvent", {"type": kind, "x": x, "y": y, **more})
+        self.driver.execute_cdp_cmd(
+            "Input.dispatchMouseEvent", {"type": kind, "x": x, "y": y, **more}
+        )
 
     def readings(self, chart):
         """Curve names and their values as (number, unit), as the chart shows them."""
         items = self.run_script(
-            "return [...arguments[0].querySelectorAll('.reading li')].map(li => [li.querySelector('.name').textContent, li.querySelector('output').textContent])", chart)
+            "return [...arguments[0].querySelectorAll('.reading li')].map(li => [li.querySelector('.name').textContent, li.querySelector('output').textContent])",
+            chart,
+        )
         return {name: parse(value) for name, value in items}
 
     def downloaded(self, suffix, before):
         def find():
-            return [p for p in Shared.downloads.iterdir() if p.name.endswith(suffix) and p not in before]
+            return [
+                p for p in Shared.downloads.iterdir() if p.name.endswith(suffix) and p not in before
+            ]
 
         return self.wait(lambda: find() and find()[0])
 

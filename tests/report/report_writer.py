@@ -1,4 +1,4 @@
-"""Writes report pages as report/FORMAT.md describes them: the Python twin of the program's own writer."""
+"""Writes report pages as report/FORMAT.md describes them, as the program itself does."""
 import array
 import base64
 import html
@@ -29,7 +29,10 @@ class Blocks:
         return {"block": block, "offset": offset, "count": len(data), "type": kind}
 
     def encoded(self):
-        return {name: base64.b64encode(zlib.compress(bytes(data), 6)).decode() for name, data in self.bytes.items()}
+        return {
+            name: base64.b64encode(zlib.compress(bytes(data), 6)).decode()
+            for name, data in self.bytes.items()
+        }
 
 
 def report(runs, sweep=None, live=None):
@@ -37,7 +40,10 @@ def report(runs, sweep=None, live=None):
         "format": 1,
         "program": {"name": "moraine", "version": "0.9.0", "revision": "abc1234"},
         "made": "2024-05-06T07:08:09Z",
-        "cite": {"text": "Moraine 0.9.0, a particle solver.", "bibtex": "@software{moraine,\n  title = {Moraine}\n}"},
+        "cite": {
+            "text": "Moraine 0.9.0, a particle solver.",
+            "bibtex": "@software{moraine,\n  title = {Moraine}\n}",
+        },
         "live": live,
         "runs": runs,
         "sweep": sweep,
@@ -46,17 +52,35 @@ def report(runs, sweep=None, live=None):
 
 def run(name, title, **parts):
     made = {
-        "name": name, "title": title, "state": "ended", "end_reason": "end time reached", "progress": None,
-        "facts": [], "quality": [], "comparisons": [], "stages": [], "tables": [], "references": [],
-        "votes": [], "timing": [], "settings": [], "particles": None,
+        "name": name,
+        "title": title,
+        "state": "ended",
+        "end_reason": "end time reached",
+        "progress": None,
+        "facts": [],
+        "quality": [],
+        "comparisons": [],
+        "stages": [],
+        "tables": [],
+        "references": [],
+        "votes": [],
+        "timing": [],
+        "settings": [],
+        "particles": None,
     }
     made.update(parts)
     return made
 
 
 def column(blocks, block, label, gauge, name, unit, group, values, kind="f64"):
-    return {"label": label, "gauge": gauge, "name": name, "unit": unit, "group": group,
-            "data": blocks.add(block, values, kind)}
+    return {
+        "label": label,
+        "gauge": gauge,
+        "name": name,
+        "unit": unit,
+        "group": group,
+        "data": blocks.add(block, values, kind),
+    }
 
 
 def quantise(value, low, high, steps):
@@ -68,7 +92,7 @@ def quantise(value, low, high, steps):
 
 
 def page(content, blocks, title):
-    """The whole page as text. The player is in it only where a run has particles, or data are to come."""
+    """The whole page. The player is in it only where a run has particles, or data are to come."""
     needs_player = content["live"] is not None or any(run["particles"] for run in content["runs"])
     data = json.dumps(content, allow_nan=False).replace("<", "\\u003c")
     scripts = [f'<script type="application/json" id="report">{data}</script>']
@@ -76,7 +100,11 @@ def page(content, blocks, title):
         scripts.append(f'<script type="text/plain" id="block:{html.escape(name)}">{text}</script>')
     player = f"<script>{(DIST / 'player.js').read_text()}</script>" if needs_player else ""
     text = (DIST / "page.html").read_text()
-    for mark, value in (("@@TITLE@@", html.escape(title)), ("@@PLAYER@@", player), ("@@DATA@@", "\n".join(scripts))):
+    for mark, value in (
+        ("@@TITLE@@", html.escape(title)),
+        ("@@PLAYER@@", player),
+        ("@@DATA@@", "\n".join(scripts)),
+    ):
         before, after = text.split(mark)
         text = before + value + after
     return text

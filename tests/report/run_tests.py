@@ -20,13 +20,22 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 
 def require_browser():
-    missing = [program for program in ("/usr/bin/chromium", "/usr/bin/chromedriver") if not shutil.which(program)]
+    missing = [
+        program
+        for program in ("/usr/bin/chromium", "/usr/bin/chromedriver")
+        if not shutil.which(program)
+    ]
     if importlib.util.find_spec("selenium") is None:
-        if os.path.exists(DEBIAN_PYTHON) and os.path.realpath(sys.executable) != os.path.realpath(DEBIAN_PYTHON):
+        if os.path.exists(DEBIAN_PYTHON) and os.path.realpath(sys.executable) != os.path.realpath(
+            DEBIAN_PYTHON
+        ):
             os.execv(DEBIAN_PYTHON, [DEBIAN_PYTHON, *sys.argv])
         missing.append("python3-selenium")
     if missing:
-        print(f"skipped: {', '.join(missing)} missing: tools/install_packages.sh browser", file=sys.stderr)
+        print(
+            f"skipped: {', '.join(missing)} missing: tools/install_packages.sh browser",
+            file=sys.stderr,
+        )
         sys.exit(SKIPPED)
 
 
@@ -43,7 +52,9 @@ class TimedResult(unittest.TextTestResult):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--screenshot", metavar="FOLDER")
     parser.add_argument("names", nargs="*")
     arguments = parser.parse_args()
@@ -60,7 +71,9 @@ def main():
             return 0
         loader = unittest.TestLoader()
         loader.testNamePatterns = [f"*{name}*" for name in arguments.names] or None
-        result = unittest.TextTestRunner(verbosity=2, resultclass=TimedResult).run(loader.discover(str(HERE), pattern="*_test.py"))
+        result = unittest.TextTestRunner(verbosity=2, resultclass=TimedResult).run(
+            loader.discover(str(HERE), pattern="*_test.py")
+        )
         return 0 if result.wasSuccessful() else 1
     finally:
         Shared.stop()

@@ -2,7 +2,8 @@
 import math
 
 from report_writer import Blocks, page, quantise, report, run
-from sample_report import common_parts, gauges_table, sums_table
+from sample_parts import common_parts
+from sample_report import gauges_table, sums_table
 
 FRAMES = 30
 CENTRE_ID = 7777
@@ -20,7 +21,11 @@ def field(name, unit, limits, kind="number"):
     return {"name": name, "unit": unit, "kind": kind, "min": limits[0], "max": limits[1]}
 
 
-FIELDS = [field("pressure", "Pa", PRESSURE), field("speed", "m/s", SPEED), field("material", "", (0, 1), "category")]
+FIELDS = [
+    field("pressure", "Pa", PRESSURE),
+    field("speed", "m/s", SPEED),
+    field("material", "", (0, 1), "category"),
+]
 
 
 def make_frame(blocks, k, box, rows, dimension, prefix=""):
@@ -28,13 +33,20 @@ def make_frame(blocks, k, box, rows, dimension, prefix=""):
     rows = sorted(rows)
     block = f"{prefix}frame{k}"
     low, high = box
-    places = [[quantise(row[1][axis], low[axis], high[axis], 65535) for row in rows] for axis in range(dimension)]
+    places = [
+        [quantise(row[1][axis], low[axis], high[axis], 65535) for row in rows]
+        for axis in range(dimension)
+    ]
     return {
-        "time_s": frame_time(k), "count": len(rows), "id": blocks.add(block, [row[0] for row in rows], "u32"),
+        "time_s": frame_time(k),
+        "count": len(rows),
+        "id": blocks.add(block, [row[0] for row in rows], "u32"),
         "position": [blocks.add(block, place, "u16") for place in places],
-        "values": [blocks.add(block, [quantise(row[2], *PRESSURE, 65534) for row in rows], "u16"),
-                   blocks.add(block, [quantise(row[3], *SPEED, 65534) for row in rows], "u16"),
-                   blocks.add(block, [row[4] for row in rows], "u8")],
+        "values": [
+            blocks.add(block, [quantise(row[2], *PRESSURE, 65534) for row in rows], "u16"),
+            blocks.add(block, [quantise(row[3], *SPEED, 65534) for row in rows], "u16"),
+            blocks.add(block, [row[4] for row in rows], "u8"),
+        ],
     }
 
 
@@ -51,27 +63,63 @@ def plane_rows(k, side=20):
             x = 0.05 + 1.9 * i / (side - 1) + 0.05 * math.sin(0.2 * k) * j / side
             y = 0.02 + 0.36 * j / (side - 1) + 0.06 * math.sin(0.2 * k + 3 * x)
             p = 2000.0 * (0.45 - y) * (1 + 0.3 * math.sin(0.3 * k + 4 * x))
-            rows.append((i * side + j, (min(1.99, x), max(0.0, y), 0), p if (i + j) % 97 else math.nan, 0.5 + abs(math.sin(x + 0.1 * k)), int(x > 1)))
+            rows.append(
+                (
+                    i * side + j,
+                    (min(1.99, x), max(0.0, y), 0),
+                    p if (i + j) % 97 else math.nan,
+                    0.5 + abs(math.sin(x + 0.1 * k)),
+                    int(x > 1),
+                )
+            )
     rows.append((CENTRE_ID, (1.0 + 0.02 * k, 0.5, 0), centre_pressure(k), 2.0, 1))
     return rows
 
 
 def cloud(dimension, box, spacing, frames, total, note, walls=None, probes=()):
-    return {"dimension": dimension, "spacing": spacing, "box": {"min": list(box[0]), "max": list(box[1])}, "total": total,
-            "shown": frames[0]["count"], "note": note, "fields": FIELDS, "materials": ["water", "light oil"], "frames": frames,
-            "walls": walls, "probes": list(probes)}
+    return {
+        "dimension": dimension,
+        "spacing": spacing,
+        "box": {"min": list(box[0]), "max": list(box[1])},
+        "total": total,
+        "shown": frames[0]["count"],
+        "note": note,
+        "fields": FIELDS,
+        "materials": ["water", "light oil"],
+        "frames": frames,
+        "walls": walls,
+        "probes": list(probes),
+    }
 
 
 def plane():
     blocks = Blocks()
     frames = [make_frame(blocks, k, PLANE, plane_rows(k), 2) for k in range(FRAMES)]
-    border = [(2.0 * i / 100, 0.0) for i in range(101)] + [(x, i / 50) for i in range(51) for x in (0.0, 2.0)]
-    wall = {"count": len(border), "position": [blocks.add("walls", [quantise(p[a], PLANE[0][a], PLANE[1][a], 65535) for p in border], "u16") for a in (0, 1)]}
-    probes = [{"name": "P1", "kind": "point", "points": [[1.9, 0.1, 0]]}, {"name": "H1 level", "kind": "level", "points": [[0.5, 0, 0], [0.5, 0.9, 0]]},
-              {"name": "inlet", "kind": "box", "points": [[1.2, 0.1, 0], [1.5, 0.3, 0]]}]
+    border = [(2.0 * i / 100, 0.0) for i in range(101)] + [
+        (x, i / 50) for i in range(51) for x in (0.0, 2.0)
+    ]
+    wall = {
+        "count": len(border),
+        "position": [
+            blocks.add(
+                "walls", [quantise(p[a], PLANE[0][a], PLANE[1][a], 65535) for p in border], "u16"
+            )
+            for a in (0, 1)
+        ],
+    }
+    probes = [
+        {"name": "P1", "kind": "point", "points": [[1.9, 0.1, 0]]},
+        {"name": "H1 level", "kind": "level", "points": [[0.5, 0, 0], [0.5, 0.9, 0]]},
+        {"name": "inlet", "kind": "box", "points": [[1.2, 0.1, 0], [1.5, 0.3, 0]]},
+    ]
     probes[2]["points"] = [[x, y, 0] for x in (1.2, 1.5) for y in (0.1, 0.3)]
-    made = run("plane", "Swaying water in a tank", particles=cloud(2, PLANE, 0.05, frames, 400, "", {"frames": [wall]}, probes),
-               tables=[gauges_table(blocks), sums_table(blocks)], **common_parts())
+    made = run(
+        "plane",
+        "Swaying water in a tank",
+        particles=cloud(2, PLANE, 0.05, frames, 400, "", {"frames": [wall]}, probes),
+        tables=[gauges_table(blocks), sums_table(blocks)],
+        **common_parts(),
+    )
     return page(report([made]), blocks, "Swaying water")
 
 
@@ -83,18 +131,40 @@ def cube_rows(k, side=12):
                 x, y, z = ((n + 0.5) / side for n in (i, j, m))
                 height = 0.45 + 0.25 * math.sin(0.2 * k + 2.5 * x)
                 p = 2400.0 * (1 - z) * height
-                rows.append(((i * side + j) * side + m, (x, y, z * height), p, 2.5 * z, int(y > 0.5)))
+                rows.append(
+                    ((i * side + j) * side + m, (x, y, z * height), p, 2.5 * z, int(y > 0.5))
+                )
     return rows
 
 
 def cube():
     blocks = Blocks()
     frames = [make_frame(blocks, k, CUBE, cube_rows(k), 3) for k in range(20)]
-    floor = [(i / 24, j / 24, 0.0) for i in range(25) for j in range(25)] + [(1.0, i / 24, j / 24) for i in range(25) for j in range(25)]
-    wall = {"count": len(floor), "position": [blocks.add("walls", [quantise(p[a], 0, 1, 65535) for p in floor], "u16") for a in range(3)]}
-    probes = [{"name": "P1", "kind": "point", "points": [[0.99, 0.5, 0.1]]}, {"name": "H1", "kind": "level", "points": [[0.3, 0.5, 0], [0.3, 0.5, 1]]},
-              {"name": "box", "kind": "box", "points": [[x, y, z] for x in (0.6, 0.8) for y in (0.3, 0.7) for z in (0.1, 0.4)]}]
-    made = run("cube", "Wave in a cubic tank", particles=cloud(3, CUBE, 1 / 12, frames, 1728, "", {"frames": [wall]}, probes), **common_parts())
+    floor = [(i / 24, j / 24, 0.0) for i in range(25) for j in range(25)] + [
+        (1.0, i / 24, j / 24) for i in range(25) for j in range(25)
+    ]
+    wall = {
+        "count": len(floor),
+        "position": [
+            blocks.add("walls", [quantise(p[a], 0, 1, 65535) for p in floor], "u16")
+            for a in range(3)
+        ],
+    }
+    probes = [
+        {"name": "P1", "kind": "point", "points": [[0.99, 0.5, 0.1]]},
+        {"name": "H1", "kind": "level", "points": [[0.3, 0.5, 0], [0.3, 0.5, 1]]},
+        {
+            "name": "box",
+            "kind": "box",
+            "points": [[x, y, z] for x in (0.6, 0.8) for y in (0.3, 0.7) for z in (0.1, 0.4)],
+        },
+    ]
+    made = run(
+        "cube",
+        "Wave in a cubic tank",
+        particles=cloud(3, CUBE, 1 / 12, frames, 1728, "", {"frames": [wall]}, probes),
+        **common_parts(),
+    )
     return page(report([made]), blocks, "Cubic tank")
 
 
@@ -103,9 +173,20 @@ def line():
     box = ((-1.0, 0, 0), (1.0, 0, 0))
     frames = []
     for k in range(FRAMES):
-        rows = [(i, (-1 + 2 * i / 199, 0, 0), 1000 + 1000 * math.tanh(20 * (0.02 * k - 0.3 - (-1 + 2 * i / 199))), 1.0, int(i > 100)) for i in range(200)]
+        rows = [
+            (
+                i,
+                (-1 + 2 * i / 199, 0, 0),
+                1000 + 1000 * math.tanh(20 * (0.02 * k - 0.3 - (-1 + 2 * i / 199))),
+                1.0,
+                int(i > 100),
+            )
+            for i in range(200)
+        ]
         frames.append(make_frame(blocks, k, box, rows, 1))
-    made = run("tube", "Shock tube", particles=cloud(1, box, 0.01, frames, 200, ""), **common_parts())
+    made = run(
+        "tube", "Shock tube", particles=cloud(1, box, 0.01, frames, 200, ""), **common_parts()
+    )
     return page(report([made]), blocks, "Shock tube")
 
 
@@ -116,9 +197,28 @@ def many():
     blocks = Blocks()
     side_x, side_y = 200, 100
     frames = []
-    base = [(i, j, 2.0 * (i + 0.5) / side_x, 0.9 * (j + 0.5) / side_y) for i in range(side_x) for j in range(side_y)]
+    base = [
+        (i, j, 2.0 * (i + 0.5) / side_x, 0.9 * (j + 0.5) / side_y)
+        for i in range(side_x)
+        for j in range(side_y)
+    ]
     for k in range(40):
-        rows = [((i * side_y + j) * 50, (x, y * (0.8 + 0.2 * math.sin(3 * x + 0.3 * k)), 0), 2400.0 * (1 - y), 2 * y, int(x > 1)) for i, j, x, y in base]
+        rows = [
+            (
+                (i * side_y + j) * 50,
+                (x, y * (0.8 + 0.2 * math.sin(3 * x + 0.3 * k)), 0),
+                2400.0 * (1 - y),
+                2 * y,
+                int(x > 1),
+            )
+            for i, j, x, y in base
+        ]
         frames.append(make_frame(blocks, k, PLANE, rows, 2))
-    made = run("many", "A million particles", particles=cloud(2, PLANE, 0.002, frames, 10**6, MANY_NOTE), tables=[gauges_table(blocks)], **common_parts())
+    made = run(
+        "many",
+        "A million particles",
+        particles=cloud(2, PLANE, 0.002, frames, 10**6, MANY_NOTE),
+        tables=[gauges_table(blocks)],
+        **common_parts(),
+    )
     return page(report([made]), blocks, "A million particles")

@@ -2,11 +2,17 @@
 import math
 
 from report_writer import Blocks, column, page, quantise, report, run
+from sample_parts import common_parts
 
 END = 0.5  # s, of all runs with gauges
 ROWS = 501
-HOSTILE = ['<img src=x onerror="window.hurt=1">', "</script><script>window.hurt=2</script>", '"onmouseover="window.hurt=3',
-           "'><svg onload=window.hurt=4>", "<!--<script>"]
+HOSTILE = [
+    '<img src=x onerror="window.hurt=1">',
+    "</script><script>window.hurt=2</script>",
+    '"onmouseover="window.hurt=3',
+    "'><svg onload=window.hurt=4>",
+    "<!--<script>",
+]
 
 
 def times(rows=ROWS, end=END):
@@ -27,16 +33,42 @@ def gauges_table(blocks, rows=ROWS, scale=1.0, prefix=""):
     block = prefix + "gauges"
     at = times(rows)
     columns = [
-        column(blocks, block, f"P{g} pressure", f"P{g}", "pressure", "Pa", "point", [pressure(t, g, scale) for t in at])
+        column(
+            blocks,
+            block,
+            f"P{g} pressure",
+            f"P{g}",
+            "pressure",
+            "Pa",
+            "point",
+            [pressure(t, g, scale) for t in at],
+        )
         for g in (1, 2, 3)
     ]
     columns += [
-        column(blocks, block, f"P{g} density", f"P{g}", "density", "kg/m^3", "point",
-               [1000.0 + pressure(t, g, scale) / 2.2e3 for t in at], "f32")
+        column(
+            blocks,
+            block,
+            f"P{g} density",
+            f"P{g}",
+            "density",
+            "kg/m^3",
+            "point",
+            [1000.0 + pressure(t, g, scale) / 2.2e3 for t in at],
+            "f32",
+        )
         for g in (1, 2, 3)
     ]
-    columns.append(column(blocks, block, "H1 level", "H1", "level", "m", "level", [level(t) for t in at]))
-    return {"name": "gauges", "rows": rows, "rows_of": rows * 4, "time": blocks.add(block, at), "columns": columns}
+    columns.append(
+        column(blocks, block, "H1 level", "H1", "level", "m", "level", [level(t) for t in at])
+    )
+    return {
+        "name": "gauges",
+        "rows": rows,
+        "rows_of": rows * 4,
+        "time": blocks.add(block, at),
+        "columns": columns,
+    }
 
 
 def sums_table(blocks, rows=ROWS, prefix=""):
@@ -46,55 +78,71 @@ def sums_table(blocks, rows=ROWS, prefix=""):
     potential = [40.0 - 10.0 * math.sin(math.pi * t / END) ** 2 - 3.0 * t for t in at]
     internal = [2000.0 + 4.0 * t for t in at]
     work = [2.0 * math.sin(math.pi * t / END) ** 2 for t in at]
-    terms = [("kinetic_energy", kinetic), ("internal_energy", internal), ("potential_energy", potential),
-             ("total_energy", [sum(v) for v in zip(kinetic, internal, potential)]), ("wall_work", work),
-             ("lost_energy", [0.0] * rows)]
-    columns = [column(blocks, block, name, "", name, "J", "energy", values) for name, values in terms]
-    columns.append(column(blocks, block, "time_step", "", "time_step", "s", "step", [2e-5 * (1.1 + math.sin(40 * t)) for t in at]))
-    columns.append(column(blocks, block, "momentum_x", "", "momentum_x", "kg m/s", "momentum", [math.sin(9 * t) for t in at]))
-    return {"name": "sums", "rows": rows, "rows_of": rows, "time": blocks.add(block, at), "columns": columns}
+    terms = [
+        ("kinetic_energy", kinetic),
+        ("internal_energy", internal),
+        ("potential_energy", potential),
+        ("total_energy", [sum(v) for v in zip(kinetic, internal, potential)]),
+        ("wall_work", work),
+        ("lost_energy", [0.0] * rows),
+    ]
+    columns = [
+        column(blocks, block, name, "", name, "J", "energy", values) for name, values in terms
+    ]
+    columns.append(
+        column(
+            blocks,
+            block,
+            "time_step",
+            "",
+            "time_step",
+            "s",
+            "step",
+            [2e-5 * (1.1 + math.sin(40 * t)) for t in at],
+        )
+    )
+    columns.append(
+        column(
+            blocks,
+            block,
+            "momentum_x",
+            "",
+            "momentum_x",
+            "kg m/s",
+            "momentum",
+            [math.sin(9 * t) for t in at],
+        )
+    )
+    return {
+        "name": "sums",
+        "rows": rows,
+        "rows_of": rows,
+        "time": blocks.add(block, at),
+        "columns": columns,
+    }
 
 
 def reference(blocks):
     at = [0.02 * i for i in range(26)]
-    return {"name": "measured", "table": "gauges", "column": "P1 pressure", "source": "Example and Sample (1999), figure 3",
-            "time": blocks.add("reference", at), "value": blocks.add("reference", [1.1 * pressure(t) for t in at])}
-
-
-def common_parts():
     return {
-        "facts": [{"label": "Particles", "value": "20 000"}, {"label": "Dimension", "value": "2"},
-                  {"label": "Spacing", "value": "5 mm"}, {"label": "Physical time", "value": "0.5 s"},
-                  {"label": "Steps", "value": "25 013"}, {"label": "Computing time", "value": "3 min 12 s on 8 threads"},
-                  {"label": "Precision", "value": "mixed"}, {"label": "Case", "value": "cases/dam-break-2d/case.toml"}],
-        "quality": [
-            {"name": "energy balance", "verdict": "good", "value": "0.12 %", "limit": "1 %",
-             "meaning": "drift of the energy balance over the run, as a share of the energy that was exchanged"},
-            {"name": "density range", "verdict": "doubtful", "value": "2.7 %", "limit": "2 %",
-             "meaning": "largest departure from the density at rest; more than two per cent says that the sound speed is too low"},
-            {"name": "lost particles", "verdict": "bad", "value": "31", "limit": "0", "meaning": "particles that left the domain and were removed"},
-            {"name": "resolution", "verdict": "unknown", "value": "–", "limit": "–", "meaning": "needs a second run with another spacing"}],
-        "comparisons": [
-            {"name": "largest pressure at P1", "unit": "Pa", "value": 4321.0, "reference": 4500.0, "tolerance": 450.0, "verdict": "good", "source": "Example and Sample (1999), table 2"},
-            {"name": "arrival of the wave", "unit": "s", "value": 0.0312, "reference": 0.025, "tolerance": 0.002, "verdict": "bad", "source": "Example and Sample (1999), table 3"},
-            {"name": "height of the run-up", "unit": "m", "value": None, "reference": 0.3, "tolerance": None, "verdict": "unknown", "source": "theory"}],
-        "stages": [{"name": "settling", "time_s": 0.0, "step": 0, "cause": "start"},
-                   {"name": "gate opens", "time_s": 0.1, "step": 5013, "cause": "kinetic energy below 1e-3 J"}],
-        "votes": [{"reason": "sound speed", "steps": 20010, "share": 0.8, "least_time_step_s": 1.9e-5},
-                  {"reason": "viscosity", "steps": 5003, "share": 0.2, "least_time_step_s": 1.2e-5}],
-        "timing": [{"label": "pair forces", "seconds": 120.5, "calls": 50026}, {"label": "neighbour search", "seconds": 40.2, "calls": 1200},
-                   {"label": "output", "seconds": 6.1, "calls": 200}, {"label": "equations of state", "seconds": 0.4, "calls": 25013}],
-        "settings": [
-            {"section": "domain", "key": "spacing", "value": "0.005", "unit": "m", "is_default": False, "meaning": "distance of particles at the start"},
-            {"section": "solver", "key": "kernel", "value": "wendland_c2", "unit": "", "is_default": True, "meaning": "smoothing kernel"},
-            {"section": "material.water", "key": "sound_speed", "value": "40", "unit": "m/s", "is_default": False, "meaning": "numerical speed of sound"},
-            {"section": "solver", "key": "courant", "value": "0.25", "unit": "", "is_default": True, "meaning": "share of the largest stable time step"}],
+        "name": "measured",
+        "table": "gauges",
+        "column": "P1 pressure",
+        "source": "Example and Sample (1999), figure 3",
+        "time": blocks.add("reference", at),
+        "value": blocks.add("reference", [1.1 * pressure(t) for t in at]),
     }
 
 
 def gauges_only():
     blocks = Blocks()
-    made = run("dam", "Dam break onto a dry bed", tables=[gauges_table(blocks), sums_table(blocks)], references=[reference(blocks)], **common_parts())
+    made = run(
+        "dam",
+        "Dam break onto a dry bed",
+        tables=[gauges_table(blocks), sums_table(blocks)],
+        references=[reference(blocks)],
+        **common_parts(),
+    )
     return page(report([made]), blocks, "Dam break")
 
 
@@ -117,27 +165,81 @@ def hostile():
     blocks = Blocks()
     at = times(11)
     bad = HOSTILE
-    columns = [column(blocks, "g", f"{text} pressure", text, "pressure", "Pa", text, at) for text in bad]
+    columns = [
+        column(blocks, "g", f"{text} pressure", text, "pressure", "Pa", text, at) for text in bad
+    ]
     parts = {
         "facts": [{"label": t, "value": t} for t in bad],
-        "quality": [{"name": t, "verdict": "good", "value": t, "limit": t, "meaning": t} for t in bad],
-        "comparisons": [{"name": bad[0], "unit": bad[2], "value": 1.0, "reference": 2.0, "tolerance": 0.1, "verdict": "bad", "source": bad[1]}],
+        "quality": [
+            {"name": t, "verdict": "good", "value": t, "limit": t, "meaning": t} for t in bad
+        ],
+        "comparisons": [
+            {
+                "name": bad[0],
+                "unit": bad[2],
+                "value": 1.0,
+                "reference": 2.0,
+                "tolerance": 0.1,
+                "verdict": "bad",
+                "source": bad[1],
+            }
+        ],
         "stages": [{"name": bad[0], "time_s": 0.0, "step": 0, "cause": bad[1]}],
-        "tables": [{"name": "gauges", "rows": 11, "rows_of": 11, "time": blocks.add("g", at), "columns": columns}],
-        "references": [{"name": bad[0], "table": "gauges", "column": f"{bad[0]} pressure", "source": bad[1], "time": blocks.add("g", at), "value": blocks.add("g", at)}],
+        "tables": [
+            {
+                "name": "gauges",
+                "rows": 11,
+                "rows_of": 11,
+                "time": blocks.add("g", at),
+                "columns": columns,
+            }
+        ],
+        "references": [
+            {
+                "name": bad[0],
+                "table": "gauges",
+                "column": f"{bad[0]} pressure",
+                "source": bad[1],
+                "time": blocks.add("g", at),
+                "value": blocks.add("g", at),
+            }
+        ],
         "votes": [{"reason": t, "steps": 1, "share": 0.2, "least_time_step_s": None} for t in bad],
         "timing": [{"label": t, "seconds": 1.0, "calls": 1} for t in bad],
-        "settings": [{"section": t, "key": t, "value": t, "unit": t, "is_default": True, "meaning": t} for t in bad],
+        "settings": [
+            {"section": t, "key": t, "value": t, "unit": t, "is_default": True, "meaning": t}
+            for t in bad
+        ],
         "particles": small_cloud(blocks, bad[0], bad[1], bad[2:]),
     }
-    content = report([run(bad[0], bad[1], end_reason=bad[2], **parts), run(bad[2], bad[0], **parts)])
+    content = report(
+        [run(bad[0], bad[1], end_reason=bad[2], **parts), run(bad[2], bad[0], **parts)]
+    )
     content["cite"] = {"text": bad[0], "bibtex": bad[1]}
     return page(content, blocks, bad[1])
 
 
 def small_cloud(blocks, field, note, names):
-    frame = {"time_s": 0.0, "count": 3, "id": blocks.add("c", [1, 2, 9], "u32"), "position": [blocks.add("c", [0, 30000, 65535], "u16") for _ in "xy"],
-             "values": [blocks.add("c", [0, 1, 65534], "u16"), blocks.add("c", [0, 1, 2], "u8")]}
-    return {"dimension": 2, "spacing": 0.1, "box": {"min": [0, 0, 0], "max": [1, 1, 0]}, "total": 3, "shown": 3, "note": note,
-            "fields": [{"name": field, "unit": names[0], "kind": "number", "min": 0, "max": 1}, {"name": "material", "unit": "", "kind": "category", "min": 0, "max": 2}],
-            "materials": names, "frames": [frame], "walls": None, "probes": [{"name": n, "kind": n, "points": [[0.5, 0.5, 0]]} for n in names]}
+    frame = {
+        "time_s": 0.0,
+        "count": 3,
+        "id": blocks.add("c", [1, 2, 9], "u32"),
+        "position": [blocks.add("c", [0, 30000, 65535], "u16") for _ in "xy"],
+        "values": [blocks.add("c", [0, 1, 65534], "u16"), blocks.add("c", [0, 1, 2], "u8")],
+    }
+    return {
+        "dimension": 2,
+        "spacing": 0.1,
+        "box": {"min": [0, 0, 0], "max": [1, 1, 0]},
+        "total": 3,
+        "shown": 3,
+        "note": note,
+        "fields": [
+            {"name": field, "unit": names[0], "kind": "number", "min": 0, "max": 1},
+            {"name": "material", "unit": "", "kind": "category", "min": 0, "max": 2},
+        ],
+        "materials": names,
+        "frames": [frame],
+        "walls": None,
+        "probes": [{"name": n, "kind": n, "points": [[0.5, 0.5, 0]]} for n in names],
+    }

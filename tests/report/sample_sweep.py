@@ -3,7 +3,8 @@ import math
 
 from report_writer import Blocks, column, page, report, run
 from sample_particles import PLANE, cloud, make_frame, plane_rows
-from sample_report import common_parts, gauges_table
+from sample_parts import common_parts
+from sample_report import gauges_table
 
 SPACINGS = (0.02, 0.01, 0.005)
 KERNELS = ("wendland_c2", "cubic_spline")
@@ -28,16 +29,45 @@ def sweep():
                 parts = common_parts()
                 parts["tables"] = [gauges_table(blocks, 201, peak(spacing, kernel) / 4500.0, name)]
                 runs.append(run(name, f"spacing {spacing * 1000:g} mm, {kernel}", **parts))
-            members.append({"name": name, "state": "failed" if failed else "done", "message": "density out of bounds at step 812" if failed else "",
-                            "run": index, "values": [spacing, kernel], "outputs": [None, None] if failed else [peak(spacing, kernel), 30.0 / spacing]})
-    members.append({"name": "wendland_c2-0.0025", "state": "waiting", "message": "", "run": None, "values": [0.0025, KERNELS[0]], "outputs": [None, None]})
-    content = report(runs, {"title": "Spacing and kernel", "parameters": [{"label": "spacing", "unit": "m"}, {"label": "kernel", "unit": ""}],
-                            "outputs": [{"label": "largest pressure", "unit": "Pa"}, {"label": "computing time", "unit": "s"}], "members": members})
+            members.append(
+                {
+                    "name": name,
+                    "state": "failed" if failed else "done",
+                    "message": "density out of bounds at step 812" if failed else "",
+                    "run": index,
+                    "values": [spacing, kernel],
+                    "outputs": [None, None] if failed else [peak(spacing, kernel), 30.0 / spacing],
+                }
+            )
+    members.append(
+        {
+            "name": "wendland_c2-0.0025",
+            "state": "waiting",
+            "message": "",
+            "run": None,
+            "values": [0.0025, KERNELS[0]],
+            "outputs": [None, None],
+        }
+    )
+    content = report(
+        runs,
+        {
+            "title": "Spacing and kernel",
+            "parameters": [{"label": "spacing", "unit": "m"}, {"label": "kernel", "unit": ""}],
+            "outputs": [
+                {"label": "largest pressure", "unit": "Pa"},
+                {"label": "computing time", "unit": "s"},
+            ],
+            "members": members,
+        },
+    )
     return page(content, blocks, "Spacing and kernel")
 
 
 def live_page():
-    return page(report([], live={"data": "data.json", "interval_s": 0.2}), Blocks(), "A running program")
+    return page(
+        report([], live={"data": "data.json", "interval_s": 0.2}), Blocks(), "A running program"
+    )
 
 
 def live_value(t):
@@ -49,14 +79,50 @@ def live_data(revision, rows, frames, state="running"):
     """What the program answers after so many rows and frames."""
     blocks = Blocks()
     at = [0.005 * i for i in range(rows)]
-    table = {"name": "gauges", "rows": rows, "rows_of": rows, "time": blocks.add("gauges", at),
-             "columns": [column(blocks, "gauges", "P1 pressure", "P1", "pressure", "Pa", "point", [live_value(t) for t in at])]}
-    particles = cloud(2, PLANE, 0.05, [make_frame(blocks, k, PLANE, plane_rows(k), 2) for k in range(frames)], 400, "")
-    progress = {"time_s": at[-1], "end_time_s": LIVE_END, "step": rows * 50, "time_step_s": 1e-4, "limited_by": "sound speed",
-                "steps_per_second": 812.0, "time_left_s": 75.0, "particles": 400}
+    table = {
+        "name": "gauges",
+        "rows": rows,
+        "rows_of": rows,
+        "time": blocks.add("gauges", at),
+        "columns": [
+            column(
+                blocks,
+                "gauges",
+                "P1 pressure",
+                "P1",
+                "pressure",
+                "Pa",
+                "point",
+                [live_value(t) for t in at],
+            )
+        ],
+    }
+    particles = cloud(
+        2,
+        PLANE,
+        0.05,
+        [make_frame(blocks, k, PLANE, plane_rows(k), 2) for k in range(frames)],
+        400,
+        "",
+    )
+    progress = {
+        "time_s": at[-1],
+        "end_time_s": LIVE_END,
+        "step": rows * 50,
+        "time_step_s": 1e-4,
+        "limited_by": "sound speed",
+        "steps_per_second": 812.0,
+        "time_left_s": 75.0,
+        "particles": 400,
+    }
     parts = common_parts()
-    parts.update(tables=[table], particles=particles, state=state, end_reason="" if state == "running" else "end time reached",
-                 progress=progress if state == "running" else None)
+    parts.update(
+        tables=[table],
+        particles=particles,
+        state=state,
+        end_reason="" if state == "running" else "end time reached",
+        progress=progress if state == "running" else None,
+    )
     content = report([run("live", "A running program", **parts)])
     content["revision"] = revision
     content["blocks"] = blocks.encoded()

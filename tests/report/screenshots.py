@@ -23,6 +23,11 @@ def take(driver, pages, folder, names=()):
         browser.set_size(driver, browser.LAPTOP)
         driver.get(page.as_uri())
         time.sleep(0.6)
-        for kind, size, is_phone in (("laptop", browser.LAPTOP, False), ("phone", browser.PHONE, True)):
+        for kind, size, is_phone in (
+            ("laptop", browser.LAPTOP, False),
+            ("phone", browser.PHONE, True),
+        ):
             for theme in ("light", "dark"):
-                whole_page(driver, size, is_phone, theme, folder / f"{page.stem}-{kind}-{theme}.png")
+                whole_page(
+                    driver, size, is_phone, theme, folder / f"{page.stem}-{kind}-{theme}.png"
+                )

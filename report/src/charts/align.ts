@@ -17,11 +17,14 @@ export function align(curves: Curve[], isLogX: boolean, isLogY: boolean): Aligne
   let times = unionOfTimes(curves).filter(Number.isFinite);
   if (isLogX) times = times.filter((time) => time > 0);
   // One list of x may hold a value twice, as parameters of members do.
-  if (isOneList(curves, times)) return [times, ...curves.map(({ y, drawn }) => drawable(drawn ?? y, isLogY))];
+  if (isOneList(curves, times))
+    return [times, ...curves.map(({ y, drawn }) => drawable(drawn ?? y, isLogY))];
   const rowOf = new Map(times.map((time, row) => [time, row]));
   const columns = curves.map(({ x, y: read, drawn }) => {
     const y = drawn ?? read;
-    const column: (number | null | undefined)[] = new Array<undefined>(times.length).fill(undefined);
+    const column: (number | null | undefined)[] = new Array<undefined>(times.length).fill(
+      undefined,
+    );
     for (let i = 0; i < x.length; ++i) {
       const row = rowOf.get(x[i]);
       if (row !== undefined) column[row] = isDrawable(y[i], isLogY) ? y[i] : null;

@@ -37,7 +37,8 @@ function axisLabel(plot: uPlot, plan: AxisPlan): string {
 export function makeAxis(plan: AxisPlan, side: uPlot.Axis.Side, hasGrid: boolean): uPlot.Axis {
   const isHorizontal = side === 2;
   const colour = styleColour("--text-soft");
-  const width = (values: string[] | null) => Math.max(3, ...(values ?? []).map((text) => text.length)) * DIGIT_WIDTH + 14;
+  const width = (values: string[] | null) =>
+    Math.max(3, ...(values ?? []).map((text) => text.length)) * DIGIT_WIDTH + 14;
   const lines = { show: true, stroke: styleColour("--grid"), width: 1 };
   return {
     scale: plan.scale,
@@ -52,17 +53,24 @@ export function makeAxis(plan: AxisPlan, side: uPlot.Axis.Side, hasGrid: boolean
     ticks: { ...lines, size: 5 },
     size: isHorizontal ? 32 : (_: uPlot, values: string[]) => width(values),
     space: isHorizontal ? 70 : 34,
-    values: (plot: uPlot, splits: number[]) => plan.names ? splits.map((at) => plan.names?.[at] ?? "") : formatTicks(splits, unitInView(plot, plan).factor, plan.isLogarithmic),
+    values: (plot: uPlot, splits: number[]) =>
+      plan.names
+        ? splits.map((at) => plan.names?.[at] ?? "")
+        : formatTicks(splits, unitInView(plot, plan).factor, plan.isLogarithmic),
   } as uPlot.Axis;
 }
 
-/** What is smaller than the largest value by more than this is rounding, and would squeeze all else. */
+/**
+ * What is smaller than the largest value by more than this is rounding, and would squeeze all else.
+ */
 const MOST_DECADES = 1e12;
 
 /** Limits around the data; a curve that stays at one value gets some room around it. */
 export function padded(min: number | null, max: number | null, isLogarithmic: boolean): Limits {
-  if (min === null || max === null || !Number.isFinite(min) || !Number.isFinite(max)) return isLogarithmic ? [1, 10] : [0, 1];
-  if (isLogarithmic) return uPlot.rangeLog(Math.max(min, max / MOST_DECADES), max, 10, false) as Limits;
+  if (min === null || max === null || !Number.isFinite(min) || !Number.isFinite(max))
+    return isLogarithmic ? [1, 10] : [0, 1];
+  if (isLogarithmic)
+    return uPlot.rangeLog(Math.max(min, max / MOST_DECADES), max, 10, false) as Limits;
   if (min === max) {
     const room = Math.abs(min) * 0.1 || 1;
     return [min - room, max + room];

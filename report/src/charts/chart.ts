@@ -9,6 +9,7 @@ import { addKeys, addTouch, addWheel } from "./gestures";
 import { chartPicture } from "./picture";
 import { limitsOfX, makePlot, yScale } from "./plot";
 import { curveName, makeReading, type Entry, type Reading } from "./reading";
+import { rowsOfCurves } from "./rows_of_curves";
 import { csv, save, savePicture } from "./save";
 import { withUnit } from "../units";
 import { styles, type ColourBy } from "./style";
@@ -40,7 +41,7 @@ export class Chart {
   });
   private readonly below = element("div");
   private readonly hint = element("p", { class: "hint" });
-  readonly tools = element("div", { class: "controls" });
+  readonly tools = element("div", { class: "controls", attributes: { role: "group" } });
   private plot: uPlot | null = null;
   private curves: Curve[] = [];
   private entries: Entry[] = [];
@@ -48,13 +49,30 @@ export class Chart {
   private zoom: Zoom = {};
   private hidden = new Set<string>();
   private turn = 0;
+  private isHeld = false;
+  private hasNews = false;
   private announcing = 0;
   private drawnWidth = 0;
 
-  constructor(private readonly app: App, readonly keys: Set<string>, readonly options: ChartOptions) {
-    const files = [button("CSV", () => this.saveCsv(), "save the shown columns as CSV"), button("PNG", () => this.savePng(), "save as a picture")];
-    this.tools.append(button("Reset zoom", () => this.resetZoom()), ...files);
-    this.root.append(element("div", { class: "chart-head" }, this.heading, this.tools), this.area, this.below, this.hint);
+  constructor(
+    private readonly app: App,
+    readonly keys: Set<string>,
+    readonly options: ChartOptions,
+  ) {
+    const files = [
+      button("CSV", () => this.saveCsv(), "save the shown columns as CSV"),
+      button("PNG", () => this.savePng(), "save as a picture"),
+    ];
+    this.tools.append(
+      button("Reset zoom", () => this.resetZoom()),
+      ...files,
+    );
+    this.root.append(
+      element("div", { class: "chart-head" }, this.heading, this.tools),
+      this.area,
+      this.below,
+      this.hint,
+    );
     const zoomable = {
       plot: () => this.plot,
       whole: () => this.whole(),
@@ -66,10 +84,27 @@ export class Chart {
     addTouch(this.area, zoomable);
     addKeys(this.area, zoomable);
     new ResizeObserver(() => this.fit()).observe(this.area);
+    this.area.addEventListener("pointerdown", () => (this.isHeld = true));
+    for (const end of ["pointerup", "pointercancel"]) addEventListener(end, () => this.letGo());
   }
 
-  /** Loads and draws anew; zoom, cursor and hidden curves stay. */
+  private letGo(): void {
+    this.isHeld = false;
+    if (!this.hasNews) return;
+    this.hasNews = false;
+    void this.refresh();
+  }
+
+  private get isOverTime(): boolean {
+    return this.options.xName === undefined;
+  }
+
+  /** Loads and draws anew; zoom, cursor and hidden curves stay. What is being dragged comes first. */
   async refresh(): Promise<void> {
+    if (this.isHeld) {
+      this.hasNews = true;
+      return;
+    }
     const turn = ++this.turn;
     const load = this.options.load ?? (() => loadCurves(this.app, [...this.keys], this.app.shown));
     try {
@@ -78,7 +113,9 @@ export class Chart {
       this.curves = curves;
       this.draw();
     } catch (error) {
-      this.below.replaceChildren(element("p", { class: "problem" }, `These curves cannot be read: ${String(error)}`));
+      this.below.replaceChildren(
+        element("p", { class: "problem" }, `These curves cannot be read: ${String(error)}`),
+      );
     }
   }
 
@@ -98,29 +135,56 @@ export class Chart {
   set title(text: string) {
     this.options.title = text;
     this.heading.textContent = text;
+    this.tools.setAttribute("aria-label", text);
   }
 
   private draw(): void {
-    this.heading.textContent = this.options.title;
+    this.title = this.options.title;
     const { app, curves, options } = this;
     const runs = new Set(curves.map((curve) => curve.run));
     const hasSeveralRuns = runs.size > 1;
     const by = options.colourBy === "auto" ? (hasSeveralRuns ? "run" : "curve") : options.colourBy;
     const styleOf = styles(curves, app.report.runs, by);
-    this.entries = curves.map((curve, i) => ({ name: curveName(curve, hasSeveralRuns), curve, style: styleOf[i] }));
+    this.entries = curves.map((curve, i) => ({
+      name: curveName(curve, hasSeveralRuns),
+      curve,
+      style: styleOf[i],
+    }));
     const before = this.plot?.cursor.left ?? -1;
     this.plot?.destroy();
     this.drawnWidth = this.area.clientWidth;
-    this.reading = makeReading(this.entries, (x) => this.xText(x), (i) => this.toggle(i));
-    this.plot = makePlot({
-      curves, styles: styleOf, data: align(curves, options.isLogX, options.isLogY),
-      xName: options.xName ?? "time", xUnit: options.xUnit ?? "s", isLogX: options.isLogX, isLogY: options.isLogY,
-      xNames: options.xNames ?? null, hasRoomX: options.hasRoomX ?? false, yName: options.yName ?? "",
-      width: Math.max(240, this.drawnWidth), height: this.height(), zoom: this.zoom,
-      mark: () => (options.load ? null : app.playerTime), moved: () => this.moved(), select: (plot) => this.selected(plot),
-      reset: () => this.resetZoom(), syncKey: options.load ? null : SYNC_KEY,
-    }, this.area);
-    this.area.setAttribute("aria-label", `${options.title}: ${this.entries.map((entry) => entry.name).join(", ")}. Left and right move the cursor, plus and minus zoom, zero shows all.`);
+    this.reading = makeReading(
+      this.entries,
+      (x) => this.xText(x),
+      (i) => this.toggle(i),
+    );
+    this.plot = makePlot(
+      {
+        curves,
+        styles: styleOf,
+        data: align(curves, options.isLogX, options.isLogY),
+        xName: options.xName ?? "time",
+        xUnit: options.xUnit ?? "s",
+        isLogX: options.isLogX,
+        isLogY: options.isLogY,
+        xNames: options.xNames ?? null,
+        hasRoomX: options.hasRoomX ?? false,
+        yName: options.yName ?? "",
+        width: Math.max(240, this.drawnWidth),
+        height: this.height(),
+        zoom: this.zoom,
+        mark: () => (this.isOverTime ? app.playerTime : null),
+        moved: () => this.moved(),
+        select: (plot) => this.selected(plot),
+        reset: () => this.resetZoom(),
+        syncKey: this.isOverTime ? SYNC_KEY : null,
+      },
+      this.area,
+    );
+    this.area.setAttribute(
+      "aria-label",
+      `${options.title}: ${this.entries.map((entry) => entry.name).join(", ")}. Left and right move the cursor, plus and minus zoom, zero shows all.`,
+    );
     this.below.replaceChildren(this.reading.root);
     this.entries.forEach((entry, i) => this.hidden.has(entry.name) && this.hide(i));
     if (before >= 0) this.plot.setCursor({ left: before, top: 10 });
@@ -129,7 +193,9 @@ export class Chart {
   }
 
   private sayWhatIsMissing(): void {
-    const log = this.options.isLogY ? "Zero and negative values have no place on a logarithmic axis. " : "";
+    const log = this.options.isLogY
+      ? "Zero and negative values have no place on a logarithmic axis. "
+      : "";
     const notes = [...new Set(this.curves.map((curve) => curve.note))].join("");
     this.hint.textContent = this.curves.length === 0 ? "Choose curves." : log + notes;
   }
@@ -147,7 +213,11 @@ export class Chart {
 
   private whole(): Limits {
     const { isLogX, hasRoomX } = this.options;
-    return limitsOfX(unionOfTimes(this.curves).filter((t) => !isLogX || t > 0), isLogX, hasRoomX ?? false);
+    return limitsOfX(
+      unionOfTimes(this.curves).filter((t) => !isLogX || t > 0),
+      isLogX,
+      hasRoomX ?? false,
+    );
   }
 
   private zoomTo(zoom: Zoom): void {
@@ -166,7 +236,8 @@ export class Chart {
     const { left, top, width, height } = plot.select;
     if (width < 3 && height < 3) return;
     const zoom: Zoom = { ...this.zoom };
-    if (width >= 3 && width < plot.over.clientWidth - 1) zoom.x = [plot.posToVal(left, "x"), plot.posToVal(left + width, "x")];
+    if (width >= 3 && width < plot.over.clientWidth - 1)
+      zoom.x = [plot.posToVal(left, "x"), plot.posToVal(left + width, "x")];
     if (height >= 3 && height < plot.over.clientHeight - 1) {
       for (const unit of new Set(this.curves.map((curve) => curve.unit))) {
         const scale = yScale(unit);
@@ -179,7 +250,7 @@ export class Chart {
 
   private xText(x: number): string {
     const { xName = "time", xUnit = "s", xNames } = this.options;
-    return `${xName} ${xNames ? xNames[x] ?? "" : withUnit(x, xUnit, 6)}`;
+    return `${xName} ${xNames ? (xNames[x] ?? "") : withUnit(x, xUnit, 6)}`;
   }
 
   private moved(): void {
@@ -196,7 +267,10 @@ export class Chart {
     const left = plot.valToPos(plot.data[0][row], "x");
     plot.setCursor({ left, top: plot.over.clientHeight / 2 });
     clearTimeout(this.announcing);
-    this.announcing = window.setTimeout(() => announce(this.reading?.text() ?? ""), ANNOUNCE_AFTER_MS);
+    this.announcing = window.setTimeout(
+      () => announce(this.reading?.text() ?? ""),
+      ANNOUNCE_AFTER_MS,
+    );
   }
 
   private hide(index: number): void {
@@ -213,23 +287,16 @@ export class Chart {
   }
 
   private saveCsv(): void {
-    const times = unionOfTimes(this.curves).sort((a, b) => a - b);
-    const values = this.curves.map(({ x, y }) => {
-      const at = new Map<number, number>();
-      for (let i = 0; i < x.length; ++i) at.set(x[i], y[i]);
-      return at;
-    });
-    const names = this.entries.map(({ curve }) => {
-      const unit = curve.unit ? ` [${curve.unit}]` : "";
-      return `${curve.run ? `${curve.run.name}: ` : ""}${curve.label}${unit}`;
-    });
-    const rows = times.map((time) => [time, ...values.map((at) => at.get(time))]);
-    save(`${this.options.title}.csv`, csv([[`${this.options.xName ?? "time"} [${this.options.xUnit ?? "s"}]`, ...names], ...rows]));
+    const { title, xName = "time", xUnit = "s" } = this.options;
+    save(`${title}.csv`, csv(rowsOfCurves(xName, xUnit, this.curves)));
   }
 
   private savePng(): void {
     if (!this.plot) return;
     const shown = this.entries.filter(({ name }) => !this.hidden.has(name));
-    savePicture(`${this.options.title}.png`, chartPicture(this.options.title, this.plot.ctx.canvas, shown));
+    savePicture(
+      `${this.options.title}.png`,
+      chartPicture(this.options.title, this.plot.ctx.canvas, shown),
+    );
   }
 }

@@ -10,7 +10,11 @@ function groups(columns: Available[]): Map<string, Available[]> {
   const found = new Map<string, Available[]>();
   for (const entry of columns) {
     const { gauge, group } = entry.column;
-    const name = gauge ? (group ? `${gauge} (${words(group)})` : gauge) : `${words(entry.table)}: ${words(group)}`;
+    const name = gauge
+      ? group
+        ? `${gauge} (${words(group)})`
+        : gauge
+      : `${words(entry.table)}: ${words(group)}`;
     found.set(name, [...(found.get(name) ?? []), entry]);
   }
   return found;
@@ -18,14 +22,25 @@ function groups(columns: Available[]): Map<string, Available[]> {
 
 export class Chooser {
   readonly root: HTMLElement;
-  private readonly search = element("input", { attributes: { type: "search", placeholder: "gauge or quantity" } });
+  private readonly search = element("input", {
+    attributes: { type: "search", placeholder: "gauge or quantity" },
+  });
   private readonly list = element("div", { class: "groups" });
   private drawnFor = "";
 
-  constructor(private columns: Available[], private chosen: Set<string>, private readonly changed: (chosen: Set<string>) => void) {
+  constructor(
+    private columns: Available[],
+    private chosen: Set<string>,
+    private readonly changed: (chosen: Set<string>) => void,
+  ) {
     const all = button("all found", () => this.setAll(true));
     const none = button("none", () => this.setAll(false));
-    this.root = element("div", { class: "chooser" }, element("div", { class: "controls" }, field("Search", this.search), all, none), this.list);
+    this.root = element(
+      "div",
+      { class: "chooser" },
+      element("div", { class: "controls" }, field("Search", this.search), all, none),
+      this.list,
+    );
     this.search.addEventListener("input", () => this.draw());
   }
 
@@ -43,7 +58,9 @@ export class Chooser {
   private get found(): Available[] {
     const wanted = this.search.value.toLowerCase().split(/\s+/);
     return this.columns.filter(({ column, table }) => {
-      const text = words(`${table} ${column.label} ${column.gauge} ${column.group} ${column.unit}`).toLowerCase();
+      const text = words(
+        `${table} ${column.label} ${column.gauge} ${column.group} ${column.unit}`,
+      ).toLowerCase();
       return wanted.every((word) => text.includes(word));
     });
   }
@@ -62,11 +79,18 @@ export class Chooser {
     this.list.replaceChildren();
     for (const [name, entries] of groups(found)) {
       const boxes = entries.map((entry) => this.box(entry));
-      const isOpen = found.length <= OPEN_AT_MOST || entries.some(({ key }) => this.chosen.has(key));
-      const group = element("details", isOpen ? { attributes: { open: "" } } : {}, element("summary", {}, name), ...boxes);
+      const isOpen =
+        found.length <= OPEN_AT_MOST || entries.some(({ key }) => this.chosen.has(key));
+      const group = element(
+        "details",
+        isOpen ? { attributes: { open: "" } } : {},
+        element("summary", {}, name),
+        ...boxes,
+      );
       this.list.append(group);
     }
-    if (found.length === 0) this.list.append(element("p", { class: "hint" }, "Nothing by that name."));
+    if (found.length === 0)
+      this.list.append(element("p", { class: "hint" }, "Nothing by that name."));
   }
 
   private box({ key, column }: Available): HTMLElement {
@@ -78,6 +102,11 @@ export class Chooser {
       this.changed(this.chosen);
     });
     const unit = column.unit ? ` [${typesetUnit(column.unit)}]` : "";
-    return element("label", { class: "check" }, box, element("span", {}, `${words(column.name || column.label)}${unit}`));
+    return element(
+      "label",
+      { class: "check" },
+      box,
+      element("span", {}, `${words(column.name || column.label)}${unit}`),
+    );
   }
 }

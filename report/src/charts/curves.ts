@@ -18,6 +18,8 @@ export interface Curve {
   note: string;
   x: ArrayLike<number>;
   y: ArrayLike<number>;
+  /** What a row is of, where it is not only a time. */
+  rowNames?: string[];
   /** What is drawn in place of y, where curves stand on each other. */
   drawn?: ArrayLike<number>;
 }
@@ -31,6 +33,12 @@ export interface Available {
 
 export function columnKey(table: string, label: string): string {
   return `${table}\n${label}`;
+}
+
+/** Names of gauges are the user's own and stay as they are. */
+function labelOf({ label, gauge, name }: Column): string {
+  if (gauge === "") return words(label);
+  return label === `${gauge} ${name}` ? `${gauge} ${words(name)}` : label;
 }
 
 export function availableColumns(runs: Run[]): Available[] {
@@ -47,20 +55,53 @@ export function availableColumns(runs: Run[]): Available[] {
 }
 
 async function columnCurve(app: App, run: Run, table: Table, column: Column): Promise<Curve> {
-  const [x, y] = await Promise.all([app.blocks.numbers(table.time), app.blocks.numbers(column.data)]);
-  const note = table.rows_of > table.rows ? `${table.rows} of ${table.rows_of} rows are in this page, extremes kept. ` : "";
-  const common = { run, key: columnKey(table.name, column.label), label: words(column.label), unit: column.unit };
+  const [x, y] = await Promise.all([
+    app.blocks.numbers(table.time),
+    app.blocks.numbers(column.data),
+  ]);
+  const note =
+    table.rows_of > table.rows
+      ? `${table.rows} of ${table.rows_of} rows are in this page, extremes kept. `
+      : "";
+  const common = {
+    run,
+    key: columnKey(table.name, column.label),
+    label: labelOf(column),
+    unit: column.unit,
+  };
   return { ...common, quantity: words(column.name), isDots: false, source: "", note, x, y };
 }
 
-async function referenceCurve(app: App, run: Run, reference: Reference, column: Column): Promise<Curve> {
-  const [x, y] = await Promise.all([app.blocks.numbers(reference.time), app.blocks.numbers(reference.value)]);
+async function referenceCurve(
+  app: App,
+  run: Run,
+  reference: Reference,
+  column: Column,
+): Promise<Curve> {
+  const [x, y] = await Promise.all([
+    app.blocks.numbers(reference.time),
+    app.blocks.numbers(reference.value),
+  ]);
   const key = columnKey(reference.table, reference.column);
   const { name, source } = reference;
-  return { run, key, label: name, quantity: words(column.name), unit: column.unit, isDots: true, source, note: "", x, y };
+  return {
+    run,
+    key,
+    label: name,
+    quantity: words(column.name),
+    unit: column.unit,
+    isDots: true,
+    source,
+    note: "",
+    x,
+    y,
+  };
 }
 
-/** The chosen columns of all `runs`, in the order of `keys`. References that several runs share come once. */
+/**
+ * The chosen columns of all `runs`, in the order of `keys`. References that several runs share come
+ * once.
+ */
 export async function loadCurves(app: App, keys: string[], runs: Run[]): Promise<Curve[]> {
   const loading: Promise<Curve>[] = [];
   const seen = new Set<string>();

@@ -14,7 +14,13 @@ export interface Zoomable {
 const WHEEL_STEP = 1.0015;
 
 /** Limits scaled about a place, in logarithms for a logarithmic axis, and kept within the data. */
-export function scaled(limits: Limits, about: number, factor: number, whole: Limits, isLog: boolean): Limits {
+export function scaled(
+  limits: Limits,
+  about: number,
+  factor: number,
+  whole: Limits,
+  isLog: boolean,
+): Limits {
   const to = isLog ? Math.log : (v: number) => v;
   const from = isLog ? Math.exp : (v: number) => v;
   const at = to(about);
@@ -37,12 +43,20 @@ function zoomAt(chart: Zoomable, left: number, factor: number): void {
 
 /** The wheel belongs to the page until the chart has the focus, or the control key is held. */
 export function addWheel(root: HTMLElement, chart: Zoomable): void {
-  root.addEventListener("wheel", (event) => {
-    const plot = chart.plot();
-    if (!plot || !(event.ctrlKey || root.contains(document.activeElement))) return;
-    event.preventDefault();
-    zoomAt(chart, event.clientX - plot.over.getBoundingClientRect().left, WHEEL_STEP ** event.deltaY);
-  }, { passive: false });
+  root.addEventListener(
+    "wheel",
+    (event) => {
+      const plot = chart.plot();
+      if (!plot || !(event.ctrlKey || root.contains(document.activeElement))) return;
+      event.preventDefault();
+      zoomAt(
+        chart,
+        event.clientX - plot.over.getBoundingClientRect().left,
+        WHEEL_STEP ** event.deltaY,
+      );
+    },
+    { passive: false },
+  );
 }
 
 export function addTouch(root: HTMLElement, chart: Zoomable): void {
@@ -58,7 +72,8 @@ export function addTouch(root: HTMLElement, chart: Zoomable): void {
     const plot = chart.plot();
     if (!plot || !fingers.has(event.pointerId)) return;
     const edge = plot.over.getBoundingClientRect();
-    if (fingers.size === 1) plot.setCursor({ left: event.clientX - edge.left, top: event.clientY - edge.top });
+    if (fingers.size === 1)
+      plot.setCursor({ left: event.clientX - edge.left, top: event.clientY - edge.top });
     const before = fingers.size === 2 ? spread() : null;
     fingers.set(event.pointerId, event.clientX);
     if (before) zoomAt(chart, spread().middle - edge.left, before.width / spread().width);
@@ -84,7 +99,10 @@ export function addKeys(root: HTMLElement, chart: Zoomable): void {
     if (!plot || event.target !== root || event.altKey || event.metaKey) return;
     const row = plot.cursor.idx ?? -1;
     const step = event.shiftKey ? 10 : 1;
-    const middle = plot.cursor.left !== undefined && plot.cursor.left >= 0 ? plot.cursor.left : plot.over.clientWidth / 2;
+    const middle =
+      plot.cursor.left !== undefined && plot.cursor.left >= 0
+        ? plot.cursor.left
+        : plot.over.clientWidth / 2;
     const actions: Record<string, () => void> = {
       ArrowLeft: () => chart.moveTo(rowInView(plot, row < 0 ? Infinity : row - step)),
       ArrowRight: () => chart.moveTo(rowInView(plot, row < 0 ? 0 : row + step)),

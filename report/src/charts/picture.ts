@@ -13,7 +13,11 @@ interface Placed {
   y: number;
 }
 
-function placeEntries(context: CanvasRenderingContext2D, entries: Entry[], width: number): Placed[] {
+function placeEntries(
+  context: CanvasRenderingContext2D,
+  entries: Entry[],
+  width: number,
+): Placed[] {
   let [x, y] = [MARGIN, 0];
   return entries.map((entry) => {
     const need = 34 + context.measureText(entry.name).width + ENTRY_GAP;
@@ -40,7 +44,11 @@ function drawEntry(context: CanvasRenderingContext2D, { entry, x, y }: Placed, t
   context.fillText(entry.name, x + 34, top + y + 14);
 }
 
-export function chartPicture(title: string, plot: HTMLCanvasElement, entries: Entry[]): HTMLCanvasElement {
+export function chartPicture(
+  title: string,
+  plot: HTMLCanvasElement,
+  entries: Entry[],
+): HTMLCanvasElement {
   const ratio = devicePixelRatio || 1;
   const [width, height] = [plot.width / ratio, plot.height / ratio];
   const canvas = document.createElement("canvas");

@@ -47,14 +47,24 @@ export function limitsOfX(x: number[], isLogX: boolean, hasRoom: boolean): Limit
 function axisPlans(plan: PlotPlan): AxisPlan[] {
   const units = [...new Set(plan.curves.map((curve) => curve.unit))];
   return units.map((unit) => {
-    const names = new Set(plan.curves.filter((c) => c.unit === unit && !c.isDots).map((c) => c.quantity));
-    return { scale: yScale(unit), unit, name: names.size === 1 ? [...names][0] : plan.yName, names: null, isLogarithmic: plan.isLogY };
+    const names = new Set(plan.curves.filter((c) => c.unit === unit).map((c) => c.quantity));
+    return {
+      scale: yScale(unit),
+      unit,
+      name: names.size === 1 ? [...names][0] : plan.yName,
+      names: null,
+      isLogarithmic: plan.isLogY,
+    };
   });
 }
 
 function makeScales(plan: PlotPlan, axes: AxisPlan[]): uPlot.Scales {
   const scales: uPlot.Scales = {
-    x: { time: false, distr: plan.isLogX ? 3 : 1, range: () => plan.zoom.x ?? limitsOfX(plan.data[0], plan.isLogX, plan.hasRoomX) },
+    x: {
+      time: false,
+      distr: plan.isLogX ? 3 : 1,
+      range: () => plan.zoom.x ?? limitsOfX(plan.data[0], plan.isLogX, plan.hasRoomX),
+    },
   };
   for (const axis of axes) {
     scales[axis.scale] = {
@@ -66,9 +76,24 @@ function makeScales(plan: PlotPlan, axes: AxisPlan[]): uPlot.Scales {
 }
 
 function makeSeries(curve: Curve, style: CurveStyle): uPlot.Series {
-  const common = { label: curve.label, scale: yScale(curve.unit), stroke: style.colour };
+  const common = {
+    pxAlign: 0,
+    label: curve.label,
+    scale: yScale(curve.unit),
+    stroke: style.colour,
+  };
   if (curve.isDots) {
-    return { ...common, paths: () => null, points: { show: true, size: 6, width: 1.5, stroke: style.colour, fill: styleColour("--background") } };
+    return {
+      ...common,
+      paths: () => null,
+      points: {
+        show: true,
+        size: 6,
+        width: 1.5,
+        stroke: style.colour,
+        fill: styleColour("--background"),
+      },
+    };
   }
   const fill = curve.drawn ? { fill: `${style.colour}55` } : {};
   return { ...common, ...fill, width: 1.6, dash: style.dash, points: { size: 5, space: 14 } };
@@ -102,12 +127,21 @@ function drawMark(plot: uPlot, time: number | null): void {
 
 export function makePlot(plan: PlotPlan, parent: HTMLElement): uPlot {
   const axes = axisPlans(plan);
-  const xAxis: AxisPlan = { scale: "x", unit: plan.xUnit, name: plan.xName, names: plan.xNames, isLogarithmic: plan.isLogX };
+  const xAxis: AxisPlan = {
+    scale: "x",
+    unit: plan.xUnit,
+    name: plan.xName,
+    names: plan.xNames,
+    isLogarithmic: plan.isLogX,
+  };
   const options: uPlot.Options = {
     width: plan.width,
     height: plan.height,
     scales: makeScales(plan, axes),
-    axes: [makeAxis(xAxis, 2, true), ...axes.map((axis, i) => makeAxis(axis, i % 2 === 0 ? 3 : 1, i === 0))],
+    axes: [
+      makeAxis(xAxis, 2, true),
+      ...axes.map((axis, i) => makeAxis(axis, i % 2 === 0 ? 3 : 1, i === 0)),
+    ],
     series: [{}, ...plan.curves.map((curve, i) => makeSeries(curve, plan.styles[i]))],
     bands: stackBands(plan),
     legend: { show: false },
@@ -117,7 +151,16 @@ export function makePlot(plan: PlotPlan, parent: HTMLElement): uPlot {
       dataIdx: (plot, series, row) => (series === 0 ? row : nearestDrawn(plot, series, row)),
       points: { size: 7 },
       bind: { dblclick: () => () => (plan.reset(), null) },
-      ...(plan.syncKey ? { sync: { key: plan.syncKey, scales: ["x", null], setSeries: false, filters: { pub: isMove } } } : {}),
+      ...(plan.syncKey
+        ? {
+            sync: {
+              key: plan.syncKey,
+              scales: ["x", null],
+              setSeries: false,
+              filters: { pub: isMove },
+            },
+          }
+        : {}),
     },
     hooks: {
       setCursor: [(plot) => plan.moved(plot)],
@@ -130,7 +173,9 @@ export function makePlot(plan: PlotPlan, parent: HTMLElement): uPlot {
 
 /** Fills between curves that stand on each other. */
 function stackBands(plan: PlotPlan): uPlot.Band[] {
-  return plan.curves.flatMap((curve, i) => (curve.drawn && i > 0 ? [{ series: [i + 1, i], fill: `${plan.styles[i].colour}55` }] : []));
+  return plan.curves.flatMap((curve, i) =>
+    curve.drawn && i > 0 ? [{ series: [i + 1, i], fill: `${plan.styles[i].colour}55` }] : [],
+  );
 }
 
 /** Charts share the cursor, not what is dragged. */

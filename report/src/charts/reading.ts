@@ -20,7 +20,8 @@ export interface Reading {
 
 /** Names as short as they can be: the run only where there are several. */
 export function curveName(curve: Curve, hasSeveralRuns: boolean): string {
-  const run = hasSeveralRuns && curve.run && !curve.isDots ? ` · ${curve.run.title || curve.run.name}` : "";
+  const run =
+    hasSeveralRuns && curve.run && !curve.isDots ? ` · ${curve.run.title || curve.run.name}` : "";
   return `${curve.label}${run}`;
 }
 
@@ -41,17 +42,28 @@ function swatch(entry: Entry): SVGSVGElement {
 
 function largestOf(curve: Curve): number {
   let largest = 0;
-  for (let i = 0; i < curve.y.length; ++i) if (Math.abs(curve.y[i]) > largest) largest = Math.abs(curve.y[i]);
+  for (let i = 0; i < curve.y.length; ++i)
+    if (Math.abs(curve.y[i]) > largest) largest = Math.abs(curve.y[i]);
   return largest;
 }
 
-export function makeReading(entries: Entry[], xText: (x: number) => string, toggle: (index: number) => boolean): Reading {
+export function makeReading(
+  entries: Entry[],
+  xText: (x: number) => string,
+  toggle: (index: number) => boolean,
+): Reading {
   const at = element("p", { class: "at" });
   const list = element("ul", { class: "reading" });
   const units = entries.map(({ curve }) => displayUnit(curve.unit, largestOf(curve)));
   const values = entries.map((entry, index) => {
     const value = element("output", {});
-    const item = element("button", { attributes: { type: "button", "aria-pressed": "true", title: entry.curve.source || "hide or show" } });
+    const item = element("button", {
+      attributes: {
+        type: "button",
+        "aria-pressed": "true",
+        title: entry.curve.source || "hide or show",
+      },
+    });
     item.addEventListener("click", () => item.setAttribute("aria-pressed", String(toggle(index))));
     item.append(swatch(entry), element("span", { class: "name" }, entry.name));
     list.append(element("li", {}, item, value));
@@ -65,12 +77,16 @@ export function makeReading(entries: Entry[], xText: (x: number) => string, togg
         const row = nearestRow(curve.x, time ?? Infinity);
         const value = row < 0 ? NaN : curve.y[row];
         const number = formatNumber(value / units[i].factor, 6);
-        values[i].textContent = Number.isFinite(value) && units[i].unit ? `${number}\u00a0${units[i].unit}` : number;
+        const rowName = curve.rowNames?.[row] ? ` · ${curve.rowNames[row]}` : "";
+        values[i].textContent =
+          (Number.isFinite(value) && units[i].unit ? `${number}\u00a0${units[i].unit}` : number) +
+          rowName;
         const isElsewhere = row >= 0 && time !== null && curve.x[row] !== time;
         values[i].title = row < 0 ? "" : `${value} ${curve.unit} at ${curve.x[row]}`;
         values[i].classList.toggle("elsewhere", isElsewhere);
       });
     },
-    text: () => `${at.textContent}: ${entries.map((entry, i) => `${entry.name} ${values[i].textContent}`).join(", ")}`,
+    text: () =>
+      `${at.textContent}: ${entries.map((entry, i) => `${entry.name} ${values[i].textContent}`).join(", ")}`,
   };
 }

@@ -11,12 +11,25 @@ export function save(name: string, content: Blob): void {
 }
 
 function fileName(name: string): string {
-  return name.replace(/[^\p{L}\p{N}._ -]+/gu, "_").replace(/^[. ]+/, "").slice(0, 100) || "report";
+  return (
+    name
+      .replace(/\s+/g, " ")
+      .replace(/[^\p{L}\p{N}._ -]+/gu, "_")
+      .replace(/^[. ]+/, "")
+      .slice(0, 100) || "report"
+  );
 }
 
 function csvCell(value: string | number | null | undefined): string {
-  if (value === null || value === undefined || (typeof value === "number" && !Number.isFinite(value))) return "";
-  const text = String(value);
+  if (
+    value === null ||
+    value === undefined ||
+    (typeof value === "number" && !Number.isFinite(value))
+  )
+    return "";
+  // A spreadsheet would take a name that begins so for a formula.
+  const isFormula = typeof value === "string" && /^[=+@\t-]/.test(value);
+  const text = (isFormula ? "'" : "") + String(value);
   return /[",\n\r;]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
 }
 

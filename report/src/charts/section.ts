@@ -17,6 +17,7 @@ class Charts {
   readonly list = element("div", { class: "charts" });
   private readonly panels: Panel[] = [];
   private hasChosen = false;
+  readonly adding = button("Add a chart", () => this.add({ title: "New chart", keys: [] }));
 
   constructor(private readonly app: App) {}
 
@@ -25,7 +26,7 @@ class Charts {
     const columns = availableColumns(this.app.report.runs);
     if (!this.hasChosen && columns.length > 0) {
       this.hasChosen = true;
-      for (const choice of firstChoice(this.app.report.runs)) this.add(choice);
+      for (const choice of firstChoice(this.app.shown)) this.add(choice);
       if (this.panels.length === 0) this.add({ title: "Curves", keys: [columns[0].key] });
     }
     for (const { chart, chooser } of this.panels) {
@@ -35,7 +36,12 @@ class Charts {
   }
 
   add(choice: Choice): void {
-    const chart = new Chart(this.app, new Set(choice.keys), { title: choice.title, isLogX: false, isLogY: false, colourBy: "auto" });
+    const chart = new Chart(this.app, new Set(choice.keys), {
+      title: choice.title,
+      isLogX: false,
+      isLogY: false,
+      colourBy: "auto",
+    });
     const chooser = new Chooser([], chart.keys, () => {
       chart.title = this.titleFor(chart.keys);
       void chart.refresh();
@@ -43,7 +49,7 @@ class Charts {
     const panel = { chart, chooser };
     chooser.root.hidden = choice.keys.length > 0;
     chart.tools.prepend(...this.tools(panel));
-    chart.tools.append(button("Remove", () => this.remove(panel), "remove this chart"));
+    chart.tools.append(button("×", () => this.remove(panel), "remove this chart"));
     chart.root.insertBefore(chooser.root, chart.root.children[1]);
     this.panels.push(panel);
     this.list.append(chart.root);
@@ -60,7 +66,9 @@ class Charts {
   }
 
   private titleFor(keys: Set<string>): string {
-    const title = titleOf(availableColumns(this.app.report.runs).filter(({ key }) => keys.has(key)));
+    const title = titleOf(
+      availableColumns(this.app.report.runs).filter(({ key }) => keys.has(key)),
+    );
     return title.charAt(0).toUpperCase() + title.slice(1);
   }
 
@@ -78,13 +86,23 @@ class Charts {
       toggle("log y", false, (isLogY) => set({ isLogY }), "logarithmic value axis"),
     ];
     if (this.app.report.runs.length < 2) return [choosing, ...logs];
-    const choices = [{ value: "auto", text: "colour by run" }, { value: "curve", text: "colour by curve" }];
-    return [choosing, ...logs, select("Colour by", choices, "auto", (value) => set({ colourBy: value as ColourBy | "auto" }))];
+    const choices = [
+      { value: "auto", text: "colour by run" },
+      { value: "curve", text: "colour by curve" },
+    ];
+    return [
+      choosing,
+      ...logs,
+      select("Colour by", choices, "auto", (value) =>
+        set({ colourBy: value as ColourBy | "auto" }),
+      ),
+    ];
   }
 
   private remove(panel: Panel): void {
     this.panels.splice(this.panels.indexOf(panel), 1);
     panel.chart.root.remove();
+    this.adding.focus();
   }
 }
 
@@ -95,11 +113,14 @@ function overlayChoice(app: App): HTMLElement {
     const { runs } = app.report;
     list.hidden = runs.length < 2;
     const boxes = runs.map((run, i) => {
-      const box = checkbox(run.title || run.name, app.isShown(run), (isShown) => app.show([run.name], isShown));
+      const box = checkbox(run.title || run.name, app.isShown(run), (isShown) =>
+        app.show([run.name], isShown),
+      );
       box.style.setProperty("--run-colour", seriesColour(i));
       return box;
     });
-    if (!list.contains(document.activeElement)) list.replaceChildren(element("legend", {}, "Runs drawn"), ...boxes);
+    if (!list.contains(document.activeElement))
+      list.replaceChildren(element("legend", {}, "Runs drawn"), ...boxes);
   };
   app.on(["data", "shown", "theme"], draw);
   draw();
@@ -108,9 +129,19 @@ function overlayChoice(app: App): HTMLElement {
 
 export function chartsSection(app: App): Section {
   const charts = new Charts(app);
-  const add = button("Add a chart", () => charts.add({ title: "New chart", keys: [] }));
-  const help = element("p", { class: "hint" }, "Drag to zoom, double click to see all. Click a chart, or hold Ctrl, to zoom with the wheel. Keys: ← → read, + − zoom, 0 all.");
-  const section = makeSection("curves", "Curves", overlayChoice(app), charts.list, element("div", { class: "controls" }, add), help);
+  const help = element(
+    "p",
+    { class: "hint" },
+    "Drag to zoom, double click to see all. Click a chart, or hold Ctrl, to zoom with the wheel. Keys: ← → read, + − zoom, 0 all.",
+  );
+  const section = makeSection(
+    "curves",
+    "Curves",
+    overlayChoice(app),
+    charts.list,
+    element("div", { class: "controls" }, charts.adding),
+    help,
+  );
   const update = () => {
     setVisible(section, availableColumns(app.report.runs).length > 0);
     charts.update();

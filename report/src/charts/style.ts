@@ -10,7 +10,10 @@ export interface CurveStyle {
   dash: number[];
 }
 
-/** In theme.css, after M. Okabe and K. Ito, "Color universal design" (2008), darkened or lightened for contrast. */
+/**
+ * In theme.css, after M. Okabe and K. Ito, "Color universal design" (2008), darkened or lightened
+ * for contrast.
+ */
 export const COLOURS = 8;
 
 /** Dashes tell apart what has the same colour, also without seeing colours. */
@@ -27,6 +30,8 @@ export function styles(curves: Curve[], runs: Run[], by: ColourBy): CurveStyle[]
     const run = curve.run ? runs.indexOf(curve.run) : 0;
     const column = keys.indexOf(curve.key);
     const [colour, dash] = by === "run" ? [run, column] : [column, run];
+    // Measured values belong to none of several runs.
+    if (by === "run" && curve.isDots) return { colour: styleColour("--text"), dash: [] };
     const turn = by === "run" ? 0 : Math.floor(column / COLOURS);
     return { colour: seriesColour(colour), dash: DASHES[(dash + turn) % DASHES.length] };
   });

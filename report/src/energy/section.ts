@@ -21,7 +21,10 @@ function verdict(terms: Terms): string {
   const drift = changeOf(balance);
   const last = drift.y[drift.y.length - 1];
   const exchanged = largestChange([...terms.held, ...terms.booked]);
-  const share = exchanged > 0 ? `, ${formatNumber((100 * last) / exchanged, 3)}\u00a0% of the largest change of any term (${withUnit(exchanged, balance.unit, 3)})` : "";
+  const share =
+    exchanged > 0
+      ? `, ${formatNumber((100 * last) / exchanged, 3)}\u00a0% of the largest change of any term (${withUnit(exchanged, balance.unit, 3)})`
+      : "";
   return `Drift of the balance at the end: ${withUnit(last, balance.unit, 4)}${share}. Largest on the way: ${withUnit(largestChange([balance]), balance.unit, 4)}.`;
 }
 
@@ -34,23 +37,38 @@ export function energySection(app: App): Section {
     return terms ?? Promise.resolve({ held: [], booked: [], total: null, balance: null });
   };
   const common = { isLogX: false, isLogY: false, colourBy: "curve" as const };
-  const balance = new Chart(app, new Set(), { ...common, title: "Energy", yName: "energy", load: async () => curvesOf(await load(), mode) });
+  const balance = new Chart(app, new Set(), {
+    ...common,
+    title: "Energy",
+    yName: "energy",
+    load: async () => curvesOf(await load(), mode),
+  });
   const drift = new Chart(app, new Set(), {
-    ...common, title: "Drift of the balance",
+    ...common,
+    title: "Drift of the balance",
     load: async () => {
       const found = (await load()).balance;
       return found ? [{ ...changeOf(found), label: "drift", quantity: "drift" }] : [];
     },
   });
   const choices = [
-    { value: "change", text: "change since the start" }, { value: "value", text: "values" }, { value: "stacked", text: "held, stacked" },
+    { value: "change", text: "change since the start" },
+    { value: "value", text: "values" },
+    { value: "stacked", text: "held, stacked" },
   ];
-  balance.tools.prepend(select("What the energy chart shows", choices, mode, (value) => {
-    mode = value as Mode;
-    void balance.refresh();
-  }));
+  balance.tools.prepend(
+    select("What the energy chart shows", choices, mode, (value) => {
+      mode = value as Mode;
+      void balance.refresh();
+    }),
+  );
   const summary = element("p", { class: "summary" });
-  const section = makeSection("energy", "Energy balance", summary, element("div", { class: "charts" }, balance.root, drift.root));
+  const section = makeSection(
+    "energy",
+    "Energy balance",
+    summary,
+    element("div", { class: "charts" }, balance.root, drift.root),
+  );
   const update = () => {
     const run = app.run;
     setVisible(section, run !== null && hasEnergy(run));
@@ -58,10 +76,14 @@ export function energySection(app: App): Section {
     if (section.root.hidden) return;
     void balance.refresh();
     void drift.refresh();
-    load().then((found) => (summary.textContent = verdict(found)), () => (summary.textContent = ""));
+    load().then(
+      (found) => (summary.textContent = verdict(found)),
+      () => (summary.textContent = ""),
+    );
   };
   app.on(["data", "run"], update);
   app.on(["theme"], () => [balance, drift].forEach((chart) => chart.redraw()));
+  app.on(["time"], () => [balance, drift].forEach((chart) => chart.markMoved()));
   update();
   return section;
 }

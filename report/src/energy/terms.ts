@@ -1,4 +1,5 @@
-// The terms of the energy balance: what the particles hold, what came or went through a booked way, the rest.
+// The terms of the energy balance: what the particles hold, what came or went through a booked way,
+// the rest.
 import type { App } from "../app";
 import type { Curve } from "../charts/curves";
 import type { Column, Run, Table } from "../format";
@@ -6,7 +7,9 @@ import { words } from "../units";
 
 export type Role = "held" | "total" | "booked" | "balance";
 
-/** Signs with which terms enter the balance: held + lost - brought in by work and transformation. */
+/**
+ * Signs with which terms enter the balance: held + lost - brought in by work and transformation.
+ */
 const LOST = /^lost/;
 /** Held energy that the total already contains. */
 const CONTAINED = /^penalty/;
@@ -41,7 +44,10 @@ function balanceOf(held: Curve[], booked: Curve[], total: Curve | null): Curve |
   if (!model) return null;
   const y = Float64Array.from(model.x, (_, i) => {
     const inside = parts.reduce((sum, part) => sum + part.y[i], 0);
-    return booked.reduce((sum, part) => sum + (LOST.test(part.label) ? part.y[i] : -part.y[i]), inside);
+    return booked.reduce(
+      (sum, part) => sum + (LOST.test(part.label) ? part.y[i] : -part.y[i]),
+      inside,
+    );
   });
   return { ...model, key: "balance", label: "balance", quantity: "balance", y };
 }
@@ -54,7 +60,18 @@ export async function loadTerms(app: App, run: Run): Promise<Terms> {
   for (const column of found.columns) {
     const y = await app.blocks.numbers(column.data);
     const name = column.name || column.label;
-    const curve: Curve = { run, key: column.label, label: words(name), quantity: words(name), unit: column.unit, isDots: false, source: "", note: "", x, y };
+    const curve: Curve = {
+      run,
+      key: column.label,
+      label: words(name),
+      quantity: words(name),
+      unit: column.unit,
+      isDots: false,
+      source: "",
+      note: "",
+      x,
+      y,
+    };
     const role = roleOf(name);
     if (role === "held" || role === "booked") terms[role].push(curve);
     else terms[role] = curve;
@@ -67,7 +84,8 @@ export async function loadTerms(app: App, run: Run): Promise<Terms> {
 
 /** A way that nothing came through is left out. */
 function isUsed(curve: Curve): boolean {
-  for (let i = 0; i < curve.y.length; ++i) if (curve.y[i] !== 0 && !Number.isNaN(curve.y[i])) return true;
+  for (let i = 0; i < curve.y.length; ++i)
+    if (curve.y[i] !== 0 && !Number.isNaN(curve.y[i])) return true;
   return false;
 }
 
@@ -88,6 +106,7 @@ export function stacked(curves: Curve[]): Curve[] {
 
 export function largestChange(curves: Curve[]): number {
   let largest = 0;
-  for (const { y } of curves) for (let i = 0; i < y.length; ++i) largest = Math.max(largest, Math.abs(y[i] - y[0]) || 0);
+  for (const { y } of curves)
+    for (let i = 0; i < y.length; ++i) largest = Math.max(largest, Math.abs(y[i] - y[0]) || 0);
   return largest;
 }

@@ -6,7 +6,9 @@ import { seriesColour } from "../charts/style";
  * them the map is straight to within 2 of 255. Source: N. Smith, S. van der Walt, "viridis" (2015),
  * matplotlib, given to the public domain (CC0).
  */
-const VIRIDIS = [0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725];
+const VIRIDIS = [
+  0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725,
+];
 
 export const TABLE_SIZE = 256;
 

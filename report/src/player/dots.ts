@@ -1,6 +1,16 @@
 // A cloud of round dots.
 import {
-  BufferAttribute, BufferGeometry, Color, DataTexture, GLSL3, NearestFilter, Points, RawShaderMaterial, Vector2, Vector3, Vector4,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DataTexture,
+  GLSL3,
+  NearestFilter,
+  Points,
+  RawShaderMaterial,
+  Vector2,
+  Vector3,
+  Vector4,
 } from "three";
 import type { Colouring, SceneBox, Slice } from "./scene_interface";
 import { PARTICLE_FRAGMENT, PARTICLE_VERTEX, WALL_FRAGMENT, WALL_VERTEX } from "./shaders";

@@ -5,6 +5,7 @@ import { NO_VALUE, POSITION_STEPS, VALUE_STEPS, type Field, type Particles } fro
 
 /** One frame with one field's values, as the scene wants it. */
 export interface Picture {
+  frame: number;
   count: number;
   ids: NumberArray;
   /** x, y, z, value of each particle, quantised. */
@@ -34,7 +35,11 @@ export function quantisedOf(field: Field, value: number): number {
 }
 
 /** Places between components: those that a run of fewer dimensions lacks are in the middle. */
-function interleave(count: number, components: NumberArray[], values: NumberArray | null): Uint16Array {
+function interleave(
+  count: number,
+  components: NumberArray[],
+  values: NumberArray | null,
+): Uint16Array {
   const quads = new Uint16Array(4 * count);
   for (let part = 0; part < 3; ++part) {
     const from = components[part];
@@ -56,28 +61,43 @@ function extremes(quads: Uint16Array, field: Field | undefined): { low: number; 
   return { low, high };
 }
 
-export async function loadPicture(app: App, particles: Particles, frameIndex: number, fieldIndex: number): Promise<Picture> {
+export async function loadPicture(
+  app: App,
+  particles: Particles,
+  frameIndex: number,
+  fieldIndex: number,
+): Promise<Picture> {
   const frame = particles.frames[frameIndex];
   const field = particles.fields[fieldIndex];
   const wanted = [frame.id, ...frame.position, ...(field ? [frame.values[fieldIndex]] : [])];
   const [ids, ...rest] = await Promise.all(wanted.map((numbers) => app.blocks.numbers(numbers)));
-  const values = field ? rest.pop() ?? null : null;
+  const values = field ? (rest.pop() ?? null) : null;
   const quads = interleave(frame.count, rest, values);
   if (particles.dimension === 1) raise(quads, field);
-  return { count: frame.count, ids, quads, ...extremes(quads, field) };
+  return { frame: frameIndex, count: frame.count, ids, quads, ...extremes(quads, field) };
 }
 
 /** In one dimension the value is drawn over x. */
 function raise(quads: Uint16Array, field: Field | undefined): void {
-  const scale = field?.kind === "category" ? POSITION_STEPS / Math.max(1, field.max) : POSITION_STEPS / VALUE_STEPS;
-  for (let i = 0; i < quads.length; i += 4) quads[i + 1] = Math.min(POSITION_STEPS, quads[i + 3] * scale);
+  const scale =
+    field?.kind === "category"
+      ? POSITION_STEPS / Math.max(1, field.max)
+      : POSITION_STEPS / VALUE_STEPS;
+  for (let i = 0; i < quads.length; i += 4)
+    quads[i + 1] = Math.min(POSITION_STEPS, quads[i + 3] * scale);
 }
 
-export async function loadWalls(app: App, particles: Particles, frameIndex: number): Promise<Uint16Array | null> {
+export async function loadWalls(
+  app: App,
+  particles: Particles,
+  frameIndex: number,
+): Promise<Uint16Array | null> {
   const frames = particles.walls?.frames ?? [];
   const frame = frames.length === 1 ? frames[0] : frames[frameIndex];
   if (!frame || frame.count === 0) return null;
-  const components = await Promise.all(frame.position.map((numbers) => app.blocks.numbers(numbers)));
+  const components = await Promise.all(
+    frame.position.map((numbers) => app.blocks.numbers(numbers)),
+  );
   return interleave(frame.count, components, null);
 }
 
@@ -94,7 +114,12 @@ export function indexOfId(ids: NumberArray, id: number): number {
   return -1;
 }
 
-export async function valuesOf(app: App, particles: Particles, frameIndex: number, index: number): Promise<number[]> {
+export async function valuesOf(
+  app: App,
+  particles: Particles,
+  frameIndex: number,
+  index: number,
+): Promise<number[]> {
   const frame = particles.frames[frameIndex];
   const all = await Promise.all(frame.values.map((numbers) => app.blocks.numbers(numbers)));
   return all.map((values, i) => valueOf(particles.fields[i], values[index]));

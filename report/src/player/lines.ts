@@ -1,9 +1,28 @@
 // Lines of the picture: the box and the probes.
-import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Points, PointsMaterial } from "three";
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Points,
+  PointsMaterial,
+} from "three";
 import type { SceneBox, SceneTheme } from "./scene_interface";
 
 const EDGES: [number, number][] = [
-  [0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7],
+  [0, 1],
+  [2, 3],
+  [4, 5],
+  [6, 7],
+  [0, 2],
+  [1, 3],
+  [4, 6],
+  [5, 7],
+  [0, 4],
+  [1, 5],
+  [2, 6],
+  [3, 7],
 ];
 
 function corner(box: SceneBox, index: number): number[] {
@@ -19,8 +38,14 @@ function withPositions(positions: Float32Array): BufferGeometry {
 export class Lines {
   readonly group = new Group();
   private readonly box = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
-  private readonly probes = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ depthTest: false }));
-  private readonly dots = new Points(new BufferGeometry(), new PointsMaterial({ size: 9, sizeAttenuation: false, depthTest: false }));
+  private readonly probes = new LineSegments(
+    new BufferGeometry(),
+    new LineBasicMaterial({ depthTest: false }),
+  );
+  private readonly dots = new Points(
+    new BufferGeometry(),
+    new PointsMaterial({ size: 9, sizeAttenuation: false, depthTest: false }),
+  );
 
   constructor() {
     for (const part of [this.box, this.probes, this.dots]) {
@@ -39,7 +64,9 @@ export class Lines {
   setBox(box: SceneBox): void {
     const edges = box.dimension === 3 ? EDGES : EDGES.filter(([a, b]) => a < 4 && b < 4);
     this.box.geometry.dispose();
-    this.box.geometry = withPositions(new Float32Array(edges.flatMap(([a, b]) => [...corner(box, a), ...corner(box, b)])));
+    this.box.geometry = withPositions(
+      new Float32Array(edges.flatMap(([a, b]) => [...corner(box, a), ...corner(box, b)])),
+    );
   }
 
   setProbes(segments: Float32Array, dots: Float32Array): void {

@@ -8,19 +8,36 @@ export interface Spot {
   depth: number; // -1 near, 1 far
 }
 
-export function project(matrix: ArrayLike<number>, x: number, y: number, z: number, width: number, height: number): Spot {
+export function project(
+  matrix: ArrayLike<number>,
+  x: number,
+  y: number,
+  z: number,
+  width: number,
+  height: number,
+): Spot {
   const m = matrix;
   const w = m[3] * x + m[7] * y + m[11] * z + m[15];
   const clip = (row: number) => (m[row] * x + m[row + 4] * y + m[row + 8] * z + m[row + 12]) / w;
-  return { x: 0.5 * (clip(0) + 1) * width, y: 0.5 * (1 - clip(1)) * height, depth: w > 0 ? clip(2) : 2 };
+  return {
+    x: 0.5 * (clip(0) + 1) * width,
+    y: 0.5 * (1 - clip(1)) * height,
+    depth: w > 0 ? clip(2) : 2,
+  };
 }
 
 export function place(box: SceneBox, quads: Uint16Array, index: number): [number, number, number] {
-  const at = (axis: number) => box.min[axis] + (quads[4 * index + axis] / POSITION_STEPS) * (box.max[axis] - box.min[axis]);
+  const at = (axis: number) =>
+    box.min[axis] + (quads[4 * index + axis] / POSITION_STEPS) * (box.max[axis] - box.min[axis]);
   return [at(0), at(1), at(2)];
 }
 
-export function isInSlice(box: SceneBox, quads: Uint16Array, index: number, slice: Slice | null): boolean {
+export function isInSlice(
+  box: SceneBox,
+  quads: Uint16Array,
+  index: number,
+  slice: Slice | null,
+): boolean {
   if (!slice) return true;
   const along = place(box, quads, index)[slice.axis];
   return along >= slice.low && along <= slice.high;
@@ -38,7 +55,10 @@ export interface Picking {
   reach: number;
 }
 
-/** Number of the particle nearest to the eye among those under the pointer, or else nearest to it; -1 if none is near. */
+/**
+ * Number of the particle nearest to the eye among those under the pointer, or else nearest to it;
+ * -1 if none is near.
+ */
 export function pick(picking: Picking, x: number, y: number): number {
   const { matrix, width, height, box, quads, slice, reach } = picking;
   let best = -1;
@@ -56,7 +76,12 @@ export function pick(picking: Picking, x: number, y: number): number {
   return best;
 }
 
-export function countDrawn(box: SceneBox, quads: Uint16Array, slice: Slice | null, isHidden: (value: number) => boolean): number {
+export function countDrawn(
+  box: SceneBox,
+  quads: Uint16Array,
+  slice: Slice | null,
+  isHidden: (value: number) => boolean,
+): number {
   let drawn = 0;
   for (let i = 0; i < quads.length / 4; ++i) {
     if (!isHidden(quads[4 * i + 3]) && isInSlice(box, quads, i, slice)) ++drawn;

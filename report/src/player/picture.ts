@@ -2,6 +2,7 @@
 import { styleColour } from "../dom";
 import { displayUnit, formatNumber, words } from "../units";
 import { categoryColour, viridis } from "./colours";
+import type { Stage } from "./stage";
 import type { PlayerState } from "./state";
 
 const MARGIN = 14;
@@ -9,7 +10,12 @@ const HEAD = 46;
 const FOOT = 58;
 const FONT = "13px system-ui, sans-serif";
 
-function drawBar(context: CanvasRenderingContext2D, state: PlayerState, top: number, width: number): void {
+function drawBar(
+  context: CanvasRenderingContext2D,
+  state: PlayerState,
+  top: number,
+  width: number,
+): void {
   const field = state.fieldOf;
   if (!field) return;
   const [low, high] = state.range();
@@ -23,7 +29,11 @@ function drawBar(context: CanvasRenderingContext2D, state: PlayerState, top: num
   context.fillStyle = styleColour("--text");
   [0, 0.5, 1].forEach((share, i) => {
     context.textAlign = (["left", "center", "right"] as const)[i];
-    context.fillText(formatNumber((low + share * (high - low)) / unit.factor, 4), MARGIN + share * length, top + 28);
+    context.fillText(
+      formatNumber((low + share * (high - low)) / unit.factor, 4),
+      MARGIN + share * length,
+      top + 28,
+    );
   });
   context.textAlign = "left";
   context.fillText(`${words(field.name)}${unit.unit ? ` [${unit.unit}]` : ""}`, MARGIN, top - 6);
@@ -41,7 +51,13 @@ function drawLegend(context: CanvasRenderingContext2D, state: PlayerState, top: 
   });
 }
 
-export function playerPicture(title: string, time: string, state: PlayerState, drawn: HTMLCanvasElement): HTMLCanvasElement {
+export function playerPicture(
+  title: string,
+  time: string,
+  state: PlayerState,
+  stage: Stage,
+): HTMLCanvasElement {
+  const drawn = stage.canvas;
   const ratio = drawn.width / Math.max(1, drawn.clientWidth);
   const [width, height] = [drawn.clientWidth, drawn.clientHeight];
   const canvas = document.createElement("canvas");
@@ -53,11 +69,18 @@ export function playerPicture(title: string, time: string, state: PlayerState, d
   context.fillStyle = styleColour("--background");
   context.fillRect(0, 0, width, height + HEAD + FOOT);
   context.drawImage(drawn, 0, HEAD, width, height);
+  context.font = FONT;
+  context.fillStyle = styleColour("--probe");
+  for (const { text, x, y } of stage.labelSpots()) context.fillText(text, x + 6, HEAD + y + 4);
   context.fillStyle = styleColour("--text");
   context.font = `600 ${FONT}`;
   context.fillText(title, MARGIN, 20);
   context.font = FONT;
-  context.fillText(`${time}${state.particles.note ? ` · ${state.particles.note}` : ""}`, MARGIN, 38);
+  context.fillText(
+    `${time}${state.particles.note ? ` · ${state.particles.note}` : ""}`,
+    MARGIN,
+    38,
+  );
   if (state.isCategory) drawLegend(context, state, HEAD + height + 18);
   else drawBar(context, state, HEAD + height + 20, width);
   return canvas;

@@ -17,7 +17,8 @@ function boxEdges(points: number[][], dimension: number): number[] {
   const all = points.map(space);
   const min = [0, 1, 2].map((axis) => Math.min(...all.map((p) => p[axis])));
   const max = [0, 1, 2].map((axis) => Math.max(...all.map((p) => p[axis])));
-  const corner = (code: number) => [0, 1, 2].map((axis) => ((code >> axis) & 1 ? max[axis] : min[axis]));
+  const corner = (code: number) =>
+    [0, 1, 2].map((axis) => ((code >> axis) & 1 ? max[axis] : min[axis]));
   const edges: number[] = [];
   for (let code = 0; code < 2 ** dimension; ++code) {
     for (let axis = 0; axis < dimension; ++axis) {

@@ -1,9 +1,17 @@
-// The WebGL part of the player. Draws on demand only: nothing moves unless the page or the reader says so.
+// The WebGL part of the player. Draws on demand only: nothing moves unless the page or the reader
+// says so.
 import { Matrix4, Scene as World, Vector3, WebGLRenderer } from "three";
 import { Dots } from "./dots";
 import { Lines } from "./lines";
 import { View } from "./view";
-import type { Colouring, ParticleScene, SceneBox, SceneOptions, SceneTheme, Slice } from "./scene_interface";
+import type {
+  Colouring,
+  ParticleScene,
+  SceneBox,
+  SceneOptions,
+  SceneTheme,
+  Slice,
+} from "./scene_interface";
 
 class Scene implements ParticleScene {
   private readonly renderer: WebGLRenderer;
@@ -14,7 +22,9 @@ class Scene implements ParticleScene {
   private readonly lines: Lines;
   private readonly seen = new Matrix4();
   private readonly toWorld = new Matrix4();
-  /** World lengths of a metre: in the world the box has size one, wherever and however small it is. */
+  /**
+   * World lengths of a metre: in the world the box has size one, wherever and however small it is.
+   */
   private unit = 1;
   private spacing = 1;
   private scale = 1;
@@ -42,7 +52,8 @@ class Scene implements ParticleScene {
     const extents = box.max.map((max, i) => max - box.min[i]);
     const centre = box.min.map((min, i) => min + 0.5 * extents[i]);
     this.unit = 1 / Math.max(...extents, 1e-30);
-    this.toWorld.makeScale(this.unit, this.unit, this.unit)
+    this.toWorld
+      .makeScale(this.unit, this.unit, this.unit)
       .multiply(new Matrix4().makeTranslation(-centre[0], -centre[1], -centre[2]));
     const scaled = { ...box, min: this.place(box.min), max: this.place(box.max) };
     this.spacing = box.spacing * this.unit;
@@ -80,7 +91,11 @@ class Scene implements ParticleScene {
 
   setSlice(slice: Slice | null): void {
     const shift = slice ? this.toWorld.elements[12 + slice.axis] : 0;
-    const scaled = slice && { ...slice, low: slice.low * this.unit + shift, high: slice.high * this.unit + shift };
+    const scaled = slice && {
+      ...slice,
+      low: slice.low * this.unit + shift,
+      high: slice.high * this.unit + shift,
+    };
     for (const dots of [this.particles, this.walls]) dots.setSlice(scaled);
   }
 
@@ -123,14 +138,18 @@ class Scene implements ParticleScene {
   render(): void {
     const ratio = this.renderer.getPixelRatio();
     this.view.update();
-    for (const dots of [this.particles, this.walls]) dots.setPixelScale(this.view.pixelScale() * ratio);
-    this.seen.multiplyMatrices(this.view.camera.projectionMatrix, this.view.camera.matrixWorldInverse).multiply(this.toWorld);
+    for (const dots of [this.particles, this.walls])
+      dots.setPixelScale(this.view.pixelScale() * ratio);
+    this.seen
+      .multiplyMatrices(this.view.camera.projectionMatrix, this.view.camera.matrixWorldInverse)
+      .multiply(this.toWorld);
     this.renderer.render(this.world, this.view.camera);
   }
 
   dispose(): void {
     this.view.dispose();
     this.renderer.dispose();
+    this.renderer.forceContextLoss();
   }
 }
 

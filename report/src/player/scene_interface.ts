@@ -1,4 +1,5 @@
-// What the page asks of the WebGL part, which is a script of its own: pages without particles go without it.
+// What the page asks of the WebGL part, which is a script of its own: pages without particles go
+// without it.
 
 export interface SceneTheme {
   background: string;

@@ -4,19 +4,25 @@ import { element } from "../dom";
 import { makeSection, setVisible } from "../section";
 import { Player } from "./player";
 
+/** Asked once: each question takes one of the few contexts that a browser gives to a page. */
+let known: boolean | null = null;
+
 function hasWebGL(): boolean {
-  try {
-    return document.createElement("canvas").getContext("webgl2") !== null;
-  } catch {
-    return false;
-  }
+  known ??= document.createElement("canvas").getContext("webgl2") !== null;
+  return known;
 }
 
-const NO_WEBGL = "This browser cannot draw particles: it has no WebGL 2, or it is switched off. All other parts of the page work without it.";
+const NO_PLAYER = "This page was written without the part that draws particles.";
+const NO_WEBGL =
+  "This browser cannot draw particles: it has no WebGL 2, or it is switched off. All other parts of the page work without it.";
 
 export function playerSection(app: App): Section {
   const content = element("div");
-  const help = element("p", { class: "hint" }, "Drag to turn or move, click to read a particle. Click the picture, or hold Ctrl, to zoom with the wheel. Keys: ← → step, space plays, + − zoom, 0 all, Shift + arrows turn or move.");
+  const help = element(
+    "p",
+    { class: "hint" },
+    "Drag to turn or move, click to read a particle. Click the picture, or hold Ctrl, to zoom with the wheel. Keys: ← → step, space plays, + − zoom, 0 all, Shift + arrows turn or move.",
+  );
   const section = makeSection("particles", "Particles", content, help);
   let player: Player | null = null;
   let shownRun = "";
@@ -36,7 +42,10 @@ export function playerSection(app: App): Section {
     const make = window.moraineScene;
     help.hidden = !make || !hasWebGL();
     if (!make || !hasWebGL()) {
-      content.replaceChildren(element("p", { class: "problem" }, NO_WEBGL), element("p", { class: "note" }, particles.note));
+      content.replaceChildren(
+        element("p", { class: "problem" }, make ? NO_WEBGL : NO_PLAYER),
+        element("p", { class: "note" }, particles.note),
+      );
       return;
     }
     player = new Player(app, run, particles, make);

@@ -9,16 +9,14 @@ export interface Label {
   point: number[];
 }
 
-export interface StageEvents {
-  clicked(x: number, y: number): void;
-  drawn(): void;
-}
-
 /** A pointer that moved further than this between down and up has dragged and not clicked. */
 const CLICK_PIXELS = 4;
 
 export class Stage {
-  readonly root = element("div", { class: "stage", attributes: { tabindex: "0", role: "application", "aria-roledescription": "particle player" } });
+  readonly root = element("div", {
+    class: "stage",
+    attributes: { tabindex: "0", role: "application", "aria-roledescription": "particle player" },
+  });
   readonly canvas = element("canvas");
   readonly scene: ParticleScene;
   private readonly over = element("div", { class: "over", attributes: { "aria-hidden": "true" } });
@@ -28,7 +26,12 @@ export class Stage {
   private marked: number[] | null = null;
   private waiting = 0;
 
-  constructor(make: MakeScene, box: SceneBox, private readonly events: StageEvents) {
+  constructor(
+    make: MakeScene,
+    box: SceneBox,
+    /** A click in the picture, in pixels. */
+    private readonly clicked: (x: number, y: number) => void,
+  ) {
     this.scene = make({ canvas: this.canvas, isFlat: box.dimension < 3, moved: () => this.draw() });
     this.over.append(this.ring, this.scale);
     this.root.append(this.canvas, this.over);
@@ -36,9 +39,13 @@ export class Stage {
     new ResizeObserver(() => this.resize()).observe(this.root);
     this.listenForClicks();
     // The wheel belongs to the page until the player has the focus, or the control key is held.
-    this.root.addEventListener("wheel", (event) => {
-      if (!event.ctrlKey && !this.root.contains(document.activeElement)) event.stopPropagation();
-    }, { capture: true });
+    this.root.addEventListener(
+      "wheel",
+      (event) => {
+        if (!event.ctrlKey && !this.root.contains(document.activeElement)) event.stopPropagation();
+      },
+      { capture: true },
+    );
   }
 
   get size(): [number, number] {
@@ -47,7 +54,10 @@ export class Stage {
 
   setBox(box: SceneBox): void {
     this.scene.setBox(box);
-    const aspect = box.dimension === 3 ? 1.5 : (box.max[0] - box.min[0]) / Math.max(1e-30, box.max[1] - box.min[1]);
+    const aspect =
+      box.dimension === 3
+        ? 1.5
+        : (box.max[0] - box.min[0]) / Math.max(1e-30, box.max[1] - box.min[1]);
     this.root.style.setProperty("--aspect", String(Math.min(3, Math.max(1, aspect))));
     this.draw();
   }
@@ -55,14 +65,21 @@ export class Stage {
   setTheme(): void {
     const colour = (name: string) => styleColour(`--${name}`);
     this.scene.setTheme({
-      background: colour("background"), line: colour("grid-strong"), accent: colour("probe"), wall: colour("wall"), none: colour("none"),
+      background: colour("background"),
+      line: colour("grid-strong"),
+      accent: colour("probe"),
+      wall: colour("wall"),
+      none: colour("none"),
     });
     this.draw();
   }
 
   setLabels(labels: Label[]): void {
     for (const { place } of this.labels) place.remove();
-    this.labels = labels.map(({ text, point }) => ({ place: element("span", { class: "label" }, text), point }));
+    this.labels = labels.map(({ text, point }) => ({
+      place: element("span", { class: "label" }, text),
+      point,
+    }));
     this.over.append(...this.labels.map(({ place }) => place));
     this.draw();
   }
@@ -94,7 +111,15 @@ export class Stage {
     if (this.marked) move(this.ring, this.marked);
     else this.ring.hidden = true;
     this.drawScale(width);
-    this.events.drawn();
+  }
+
+  /** Names in the picture with their places in pixels, as of the last drawing. */
+  labelSpots(): { text: string; x: number; y: number }[] {
+    const [width, height] = this.size;
+    return this.labels.map(({ place, point: [x, y, z] }) => {
+      const spot = project(this.scene.matrix(), x, y, z, width, height);
+      return { text: place.textContent ?? "", x: spot.x, y: spot.y };
+    });
   }
 
   private drawScale(width: number): void {
@@ -122,9 +147,10 @@ export class Stage {
       this.root.focus({ preventScroll: true });
     });
     this.canvas.addEventListener("pointerup", (event) => {
-      if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > CLICK_PIXELS) return;
+      if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > CLICK_PIXELS)
+        return;
       const edge = this.canvas.getBoundingClientRect();
-      this.events.clicked(event.clientX - edge.left, event.clientY - edge.top);
+      this.clicked(event.clientX - edge.left, event.clientY - edge.top);
     });
   }
 }

@@ -17,8 +17,6 @@ export class PlayerState {
   showsWalls = true;
   showsProbes = true;
   dotScale = 1;
-  pickedId: number | null = null;
-  staysInView = false;
   framesPerSecond = 10;
   isLooping = true;
 
@@ -41,8 +39,11 @@ export class PlayerState {
     const field = this.fieldOf;
     if (!field) return [0, 1];
     if (this.rangeMode === "typed") return this.typed;
-    if (this.rangeMode === "all" || this.inFrame.low > this.inFrame.high) return [field.min, field.max];
-    return [this.inFrame.low, this.inFrame.high].map((q) => field.min + (q / 65534) * (field.max - field.min)) as [number, number];
+    if (this.rangeMode === "all" || this.inFrame.low > this.inFrame.high)
+      return [field.min, field.max];
+    return [this.inFrame.low, this.inFrame.high].map(
+      (q) => field.min + (q / 65534) * (field.max - field.min),
+    ) as [number, number];
   }
 
   quantisedRange(): [number, number] {
@@ -59,17 +60,25 @@ function firstField(fields: Field[]): number {
     const found = fields.findIndex((field) => field.kind === "number" && field.name.includes(name));
     if (found >= 0) return found;
   }
-  return Math.max(0, fields.findIndex((field) => field.kind === "number"));
+  return Math.max(
+    0,
+    fields.findIndex((field) => field.kind === "number"),
+  );
 }
 
 /** Share of the width that the value of a one-dimensional run is drawn high. */
 const PROFILE_HEIGHT = 0.4;
 
+/** Where only some of the particles are shown, each stands for its share of the space. */
+function shownSpacing({ spacing, total, shown, dimension }: Particles): number {
+  return shown > 0 && shown < total ? spacing * (total / shown) ** (1 / dimension) : spacing;
+}
+
 /** The box of the picture: three extents that are not all zero. */
 export function sceneBox(particles: Particles): SceneBox {
-  const { dimension, spacing, box } = particles;
-  const min = [0, 1, 2].map((axis) => (axis < dimension ? box.min[axis] ?? 0 : 0));
-  const max = [0, 1, 2].map((axis) => (axis < dimension ? box.max[axis] ?? 0 : 0));
+  const { dimension, box } = particles;
+  const min = [0, 1, 2].map((axis) => (axis < dimension ? (box.min[axis] ?? 0) : 0));
+  const max = [0, 1, 2].map((axis) => (axis < dimension ? (box.max[axis] ?? 0) : 0));
   if (dimension === 1) max[1] = PROFILE_HEIGHT * (max[0] - min[0]);
-  return { min, max, dimension, spacing };
+  return { min, max, dimension, spacing: shownSpacing(particles) };
 }

@@ -9,6 +9,7 @@ import { formatNumber, typesetUnit } from "../units";
 interface Point {
   x: number;
   y: number;
+  name: string;
 }
 
 export class SweepPlot {
@@ -16,19 +17,38 @@ export class SweepPlot {
   private parameter = 0;
   private hasLines = false;
 
-  constructor(app: App, private sweep: Sweep, private output: number) {
+  constructor(
+    app: App,
+    private sweep: Sweep,
+    private output: number,
+  ) {
     this.chart = new Chart(app, new Set(), {
-      title: "", isLogX: false, isLogY: false, colourBy: "curve", hasRoomX: true, load: () => Promise.resolve(this.curves()),
+      title: "",
+      isLogX: false,
+      isLogY: false,
+      colourBy: "curve",
+      hasRoomX: true,
+      load: () => Promise.resolve(this.curves()),
     });
-    const choices = (list: { label: string }[]) => list.map(({ label }, i) => ({ value: String(i), text: label }));
+    const choices = (list: { label: string }[]) =>
+      list.map(({ label }, i) => ({ value: String(i), text: label }));
     const set = (change: () => void) => () => {
       change();
       this.refresh();
     };
     this.chart.tools.prepend(
-      select("Output", choices(sweep.outputs), String(output), (value) => set(() => (this.output = Number(value)))()),
-      select("Parameter", choices(sweep.parameters), "0", (value) => set(() => (this.parameter = Number(value)))()),
-      toggle("lines", false, (hasLines) => set(() => (this.hasLines = hasLines))(), "a line for each choice of the other parameters"),
+      select("Output", choices(sweep.outputs), String(output), (value) =>
+        set(() => (this.output = Number(value)))(),
+      ),
+      select("Parameter", choices(sweep.parameters), "0", (value) =>
+        set(() => (this.parameter = Number(value)))(),
+      ),
+      toggle(
+        "lines",
+        false,
+        (hasLines) => set(() => (this.hasLines = hasLines))(),
+        "a line for each choice of the other parameters",
+      ),
       toggle("log x", false, (isLogX) => set(() => (this.chart.options.isLogX = isLogX))()),
       toggle("log y", false, (isLogY) => set(() => (this.chart.options.isLogY = isLogY))()),
     );
@@ -42,7 +62,10 @@ export class SweepPlot {
 
   private refresh(): void {
     const { options } = this.chart;
-    const [parameter, output] = [this.sweep.parameters[this.parameter], this.sweep.outputs[this.output]];
+    const [parameter, output] = [
+      this.sweep.parameters[this.parameter],
+      this.sweep.outputs[this.output],
+    ];
     this.chart.title = `${output.label} over ${parameter.label}`;
     options.xName = parameter.label;
     options.xUnit = parameter.unit;
@@ -53,7 +76,9 @@ export class SweepPlot {
   /** Values of a parameter that is no number, in the order in which they occur. */
   private names(): string[] | null {
     const values = this.sweep.members.map((member) => member.values[this.parameter]);
-    return values.every((value) => typeof value === "number") ? null : [...new Set(values.map(String))];
+    return values.every((value) => typeof value === "number")
+      ? null
+      : [...new Set(values.map(String))];
   }
 
   private curves(): Curve[] {
@@ -65,7 +90,7 @@ export class SweepPlot {
       const x = names ? names.indexOf(String(value)) : Number(value);
       if (y === null || y === undefined || !Number.isFinite(x)) continue;
       const group = this.hasLines ? this.others(member) : "all members";
-      groups.set(group, [...(groups.get(group) ?? []), { x, y }]);
+      groups.set(group, [...(groups.get(group) ?? []), { x, y, name: member.name }]);
     }
     return [...groups].map(([label, points]) => this.curve(label, points));
   }
@@ -74,8 +99,17 @@ export class SweepPlot {
     const output = this.sweep.outputs[this.output];
     const inOrder = [...points].sort((a, b) => a.x - b.x);
     return {
-      run: null, key: label, label, quantity: output.label, unit: output.unit, isDots: !this.hasLines, source: "", note: "",
-      x: inOrder.map(({ x }) => x), y: inOrder.map(({ y }) => y),
+      run: null,
+      key: label,
+      label,
+      quantity: output.label,
+      unit: output.unit,
+      isDots: !this.hasLines,
+      source: "",
+      note: "",
+      x: inOrder.map(({ x }) => x),
+      y: inOrder.map(({ y }) => y),
+      rowNames: inOrder.map(({ name }) => name),
     };
   }
 

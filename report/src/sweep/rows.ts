@@ -10,7 +10,10 @@ export interface SweepColumn {
 export function sweepColumns(sweep: Sweep): SweepColumn[] {
   return [
     { label: "member", unit: "", cell: (member) => member.name },
-    ...sweep.parameters.map((p, i) => ({ ...p, cell: (member: Member) => member.values[i] ?? null })),
+    ...sweep.parameters.map((p, i) => ({
+      ...p,
+      cell: (member: Member) => member.values[i] ?? null,
+    })),
     ...sweep.outputs.map((p, i) => ({ ...p, cell: (member: Member) => member.outputs[i] ?? null })),
     { label: "state", unit: "", cell: (member) => member.state },
     { label: "message", unit: "", cell: (member) => member.message },
@@ -22,7 +25,19 @@ function compare(a: number | string | null, b: number | string | null, sign: num
   if (a === null || b === null) return Number(a === null) - Number(b === null);
   if (typeof a === "number" && typeof b === "number") return sign * (a - b);
   if (typeof a !== typeof b) return typeof a === "number" ? -1 : 1;
-  return sign * String(a).localeCompare(String(b), undefined, { numeric: true });
+  return sign * compareTexts(String(a), String(b));
+}
+
+/** Numbers within texts by their size: "mesh-0.005" before "mesh-0.02", "run 9" before "run 10". */
+function compareTexts(a: string, b: string): number {
+  const parts = (text: string) => text.match(/\d+(\.\d+)?|\D+/g) ?? [];
+  const [inA, inB] = [parts(a), parts(b)];
+  for (let i = 0; i < Math.min(inA.length, inB.length); ++i) {
+    const difference = Number(inA[i]) - Number(inB[i]);
+    const order = Number.isNaN(difference) ? inA[i].localeCompare(inB[i]) : difference;
+    if (order !== 0) return order;
+  }
+  return inA.length - inB.length;
 }
 
 export function sorted(members: Member[], column: SweepColumn, isAscending: boolean): Member[] {

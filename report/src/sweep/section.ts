@@ -11,7 +11,10 @@ import { MembersTable } from "./table";
 function saveMembers(sweep: Sweep): void {
   const columns = sweepColumns(sweep);
   const head = columns.map(({ label, unit }) => (unit ? `${label} [${unit}]` : label));
-  save(`${sweep.title || "sweep"}.csv`, csv([head, ...sweep.members.map((member) => columns.map((column) => column.cell(member)))]));
+  save(
+    `${sweep.title || "sweep"}.csv`,
+    csv([head, ...sweep.members.map((member) => columns.map((column) => column.cell(member)))]),
+  );
 }
 
 function summaryOf(sweep: Sweep): string {
@@ -21,7 +24,9 @@ function summaryOf(sweep: Sweep): string {
 }
 
 function runNames(app: App, sweep: Sweep): string[] {
-  return sweep.members.flatMap(({ run }) => (run === null ? [] : [app.report.runs[run]?.name ?? ""])).filter(Boolean);
+  return sweep.members
+    .flatMap(({ run }) => (run === null ? [] : [app.report.runs[run]?.name ?? ""]))
+    .filter(Boolean);
 }
 
 export function sweepSection(app: App): Section {
@@ -40,9 +45,14 @@ export function sweepSection(app: App): Section {
     };
     const canPlot = sweep.parameters.length > 0 && sweep.outputs.length > 0;
     if (canPlot) sweep.outputs.slice(0, 2).forEach((_, i) => add(i));
-    const bar = element("div", { class: "controls" },
-      button("Draw all", () => app.showOnly(runNames(app, sweep))), button("Draw none", () => app.showOnly([])),
-      canPlot && button("Add a plot", () => add(0)), button("CSV", () => saveMembers(app.report.sweep ?? sweep), "save the members as CSV"));
+    const bar = element(
+      "div",
+      { class: "controls" },
+      button("Draw all", () => app.showOnly(runNames(app, sweep))),
+      button("Draw none", () => app.showOnly([])),
+      canPlot && button("Add a plot", () => add(0)),
+      button("CSV", () => saveMembers(app.report.sweep ?? sweep), "save the members as CSV"),
+    );
     content.replaceChildren(summary, bar, members.root, charts);
   };
   const summary = element("p", { class: "summary" });

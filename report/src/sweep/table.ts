@@ -13,9 +13,15 @@ export class MembersTable {
   private sortedBy = 0;
   private isAscending = true;
 
-  constructor(private readonly app: App, private sweep: Sweep) {
+  constructor(
+    private readonly app: App,
+    private sweep: Sweep,
+  ) {
     const caption = element("caption", { class: "unseen" }, "Members of the sweep");
-    this.root = scroller("Members of the sweep", element("table", {}, caption, element("thead", {}, this.head), this.body));
+    this.root = scroller(
+      "Members of the sweep",
+      element("table", {}, caption, element("thead", {}, this.head), this.body),
+    );
     this.drawHead();
     this.draw();
   }
@@ -32,11 +38,21 @@ export class MembersTable {
   private drawHead(): void {
     const cells = this.columns.map((column, i) => {
       const text = column.unit ? `${column.label} [${typesetUnit(column.unit)}]` : column.label;
-      const mark = element("span", { attributes: { "aria-hidden": "true" } }, i === this.sortedBy ? (this.isAscending ? " ▲" : " ▼") : "");
-      const sorting = element("button", { attributes: { type: "button" }, on: { click: () => this.sortBy(i) } }, text, mark);
+      const mark = element(
+        "span",
+        { attributes: { "aria-hidden": "true" } },
+        i === this.sortedBy ? (this.isAscending ? " ▲" : " ▼") : "",
+      );
+      const sorting = element(
+        "button",
+        { attributes: { type: "button" }, on: { click: () => this.sortBy(i) } },
+        text,
+        mark,
+      );
       const cell = element("th", { attributes: { scope: "col" } }, sorting);
       if (this.isNumeric(i)) cell.className = "number";
-      if (i === this.sortedBy) cell.setAttribute("aria-sort", this.isAscending ? "ascending" : "descending");
+      if (i === this.sortedBy)
+        cell.setAttribute("aria-sort", this.isAscending ? "ascending" : "descending");
       return cell;
     });
     this.head.replaceChildren(element("th", { attributes: { scope: "col" } }, "Curves"), ...cells);
@@ -57,12 +73,15 @@ export class MembersTable {
 
   /** Other curves have been chosen, here or elsewhere; the boxes stay, and with them the focus. */
   syncBoxes(): void {
-    for (const [name, box] of this.boxes) box.checked = this.app.shown.some((run) => run.name === name);
+    for (const [name, box] of this.boxes)
+      box.checked = this.app.shown.some((run) => run.name === name);
   }
 
   draw(): void {
     this.boxes.clear();
-    const rows = sorted(this.sweep.members, this.columns[this.sortedBy], this.isAscending).map((member) => this.row(member));
+    const rows = sorted(this.sweep.members, this.columns[this.sortedBy], this.isAscending).map(
+      (member) => this.row(member),
+    );
     this.body.replaceChildren(...rows);
   }
 
@@ -81,12 +100,14 @@ export class MembersTable {
   private box(member: Member): HTMLElement | string {
     const run = member.run === null ? undefined : this.app.report.runs[member.run];
     if (!run) return "–";
-    const box = element("input", { attributes: { type: "checkbox", "aria-label": `draw the curves of ${member.name}` } });
+    const box = element("input", {
+      attributes: { type: "checkbox", "aria-label": `draw the curves of ${member.name}` },
+    });
     this.boxes.set(run.name, box);
     box.checked = this.app.isShown(run);
     box.addEventListener("change", () => {
       this.app.show([run.name], box.checked);
-      this.app.choose(run.name);
+      if (box.checked) this.app.choose(run.name);
     });
     return box;
   }

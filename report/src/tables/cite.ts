@@ -23,7 +23,12 @@ function entry(title: string, text: string): HTMLElement {
       done.textContent = shown.dataset.copied ? "copied" : "selected: copy with the keyboard";
     });
   });
-  return element("div", { class: "citation" }, shown, element("p", { class: "controls" }, copying, done));
+  return element(
+    "div",
+    { class: "citation" },
+    shown,
+    element("p", { class: "controls" }, copying, done),
+  );
 }
 
 export function citeSection(app: App): Section {

@@ -2,10 +2,13 @@
 import type { App, Section } from "../app";
 import { element, table } from "../dom";
 import type { Run } from "../format";
-import { makeSection, setVisible } from "../section";
+import { makeSection, onlyChanged, setVisible } from "../section";
 
 const STATES: Record<Run["state"], string> = {
-  ended: "ended", running: "running", stopped: "stopped early", broken: "broken off",
+  ended: "ended",
+  running: "running",
+  stopped: "stopped early",
+  broken: "broken off",
 };
 
 export function stateText(run: Run): string {
@@ -27,9 +30,17 @@ function factsOfSeveral(runs: Run[]): HTMLElement {
     return [label, ...values.map((value) => (differs ? element("strong", {}, value) : value))];
   };
   const rows = labels.map((label) =>
-    row(label, runs.map((run) => run.facts.find((fact) => fact.label === label)?.value ?? "–")));
+    row(
+      label,
+      runs.map((run) => run.facts.find((fact) => fact.label === label)?.value ?? "–"),
+    ),
+  );
   rows.unshift(row("State", runs.map(stateText)));
-  return table("Facts of the runs, side by side", ["", ...runs.map((run) => run.title || run.name)], rows);
+  return table(
+    "Facts of the runs, side by side",
+    ["", ...runs.map((run) => run.title || run.name)],
+    rows,
+  );
 }
 
 export function factsSection(app: App): Section {
@@ -39,9 +50,22 @@ export function factsSection(app: App): Section {
     const { runs } = app.report;
     setVisible(section, runs.length > 0);
     if (runs.length === 1) content.replaceChildren(factsOfOne(runs[0]));
-    else if (runs.length > 1) content.replaceChildren(factsOfSeveral(app.shown.length > 0 ? app.shown : runs.slice(0, 8)));
+    else if (runs.length > 1)
+      content.replaceChildren(factsOfSeveral(app.shown.length > 0 ? app.shown : runs.slice(0, 8)));
   };
-  app.on(["data", "shown"], draw);
-  draw();
+  const update = onlyChanged(
+    () =>
+      app.report.runs.map((run) => [
+        run.name,
+        run.title,
+        run.facts,
+        run.state,
+        run.end_reason,
+        app.isShown(run),
+      ]),
+    draw,
+  );
+  app.on(["data", "shown"], update);
+  update();
   return section;
 }

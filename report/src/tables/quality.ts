@@ -1,16 +1,25 @@
-// Can this run be trusted: checks with their limits, comparisons with reference values, the time step.
+// Can this run be trusted: checks with their limits, comparisons with reference values, the time
+// step.
 import type { App, Section } from "../app";
-import { element, table } from "../dom";
+import { element, stackedTable, table } from "../dom";
 import type { Comparison, Run, Vote } from "../format";
-import { makeSection, setVisible } from "../section";
+import { makeSection, onlyChanged, setVisible } from "../section";
 import { formatNumber, withUnit } from "../units";
 import { verdictMark } from "./verdict";
 
 function checks(run: Run): HTMLElement {
   const rows = run.quality.map((row) => [
-    verdictMark(row.verdict), element("strong", {}, row.name), row.value, row.limit, element("span", { class: "meaning" }, row.meaning),
+    verdictMark(row.verdict),
+    element("strong", {}, row.name),
+    row.value,
+    row.limit,
+    element("span", { class: "meaning" }, row.meaning),
   ]);
-  return table("Quality of the run", ["Verdict", "Check", "Value", "Limit", "Meaning"], rows);
+  return stackedTable(
+    "Quality of the run",
+    ["Verdict", "Check", "Value", "Limit", "Meaning"],
+    rows,
+  );
 }
 
 function deviation(row: Comparison): string {
@@ -33,7 +42,7 @@ function comparisons(run: Run): HTMLElement {
     ];
   });
   const head = ["Verdict", "Quantity", "This run", "Reference", "Deviation", "Tolerance", "Source"];
-  return table("Comparison with reference values", head, rows, [2, 3, 4, 5]);
+  return stackedTable("Comparison with reference values", head, rows, [2, 3, 4, 5]);
 }
 
 function voteBar(vote: Vote): HTMLElement {
@@ -43,13 +52,15 @@ function voteBar(vote: Vote): HTMLElement {
 }
 
 function votes(run: Run): HTMLElement {
-  const rows = [...run.votes].sort((a, b) => b.share - a.share).map((vote) => [
-    element("strong", {}, vote.reason),
-    voteBar(vote),
-    `${formatNumber(100 * vote.share, 3)}\u00a0%`,
-    formatNumber(vote.steps, 9),
-    withUnit(vote.least_time_step_s, "s", 3),
-  ]);
+  const rows = [...run.votes]
+    .sort((a, b) => b.share - a.share)
+    .map((vote) => [
+      element("strong", {}, vote.reason),
+      voteBar(vote),
+      `${formatNumber(100 * vote.share, 3)}\u00a0%`,
+      formatNumber(vote.steps, 9),
+      withUnit(vote.least_time_step_s, "s", 3),
+    ]);
   const head = ["Limited by", "", "Share of steps", "Steps", "Least step"];
   return table("What limited the time step", head, rows, [2, 3, 4]);
 }
@@ -61,11 +72,14 @@ export function qualitySection(app: App): Section {
     const run = app.run;
     content.replaceChildren();
     if (run?.quality.length) content.append(checks(run));
-    if (run?.comparisons.length) content.append(element("h3", {}, "Compared with reference values"), comparisons(run));
-    if (run?.votes.length) content.append(element("h3", {}, "What limited the time step"), votes(run));
+    if (run?.comparisons.length)
+      content.append(element("h3", {}, "Compared with reference values"), comparisons(run));
+    if (run?.votes.length)
+      content.append(element("h3", {}, "What limited the time step"), votes(run));
     setVisible(section, content.childElementCount > 0);
   };
-  app.on(["data", "run"], draw);
-  draw();
+  const update = onlyChanged(() => [app.run?.quality, app.run?.comparisons, app.run?.votes], draw);
+  app.on(["data", "run"], update);
+  update();
   return section;
 }

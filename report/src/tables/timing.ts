@@ -1,7 +1,7 @@
 // Where the computing time went, and the stages of the run.
 import type { App, Section } from "../app";
 import { element, table } from "../dom";
-import { makeSection, setVisible } from "../section";
+import { makeSection, onlyChanged, setVisible } from "../section";
 import { duration, formatNumber, withUnit } from "../units";
 
 export function timingSection(app: App): Section {
@@ -15,15 +15,27 @@ export function timingSection(app: App): Section {
       const share = total > 0 ? row.seconds / total : 0;
       const bar = element("span", { class: "bar", attributes: { "aria-hidden": "true" } });
       bar.style.setProperty("--share", String(share));
-      return [row.label, bar, `${(100 * share).toFixed(1)}\u00a0%`, duration(row.seconds), formatNumber(row.calls, 9)];
+      return [
+        row.label,
+        bar,
+        `${(100 * share).toFixed(1)}\u00a0%`,
+        duration(row.seconds),
+        formatNumber(row.calls, 9),
+      ];
     });
     content.replaceChildren(
       element("p", { class: "hint" }, `${duration(total)} in all`),
-      table("Where the computing time went", ["Part", "", "Share", "Time", "Calls"], rows, [2, 3, 4]),
+      table(
+        "Where the computing time went",
+        ["Part", "", "Share", "Time", "Calls"],
+        rows,
+        [2, 3, 4],
+      ),
     );
   };
-  app.on(["data", "run"], draw);
-  draw();
+  const update = onlyChanged(() => app.run?.timing, draw);
+  app.on(["data", "run"], update);
+  update();
   return section;
 }
 
@@ -34,11 +46,17 @@ export function stagesSection(app: App): Section {
     const stages = app.run?.stages ?? [];
     setVisible(section, stages.length > 0);
     const rows = stages.map((stage) => [
-      element("strong", {}, stage.name), withUnit(stage.time_s, "s", 5), formatNumber(stage.step, 9), stage.cause,
+      element("strong", {}, stage.name),
+      withUnit(stage.time_s, "s", 5),
+      formatNumber(stage.step, 9),
+      stage.cause,
     ]);
-    content.replaceChildren(table("Stages of the run", ["Stage", "From", "Step", "Cause"], rows, [1, 2]));
+    content.replaceChildren(
+      table("Stages of the run", ["Stage", "From", "Step", "Cause"], rows, [1, 2]),
+    );
   };
-  app.on(["data", "run"], draw);
-  draw();
+  const update = onlyChanged(() => app.run?.stages, draw);
+  app.on(["data", "run"], update);
+  update();
   return section;
 }
