@@ -44,7 +44,6 @@ struct Draft {
 Draft without_particles(std::vector<RunFiles>& runs, std::size_t bytes) {
   for (std::size_t rows = most_rows;; rows = rows * 2 / 3) {
     Draft draft;
-    auto notes = Json::array();
     for (RunFiles& run : runs) {
       auto const kept = run.notes;
       draft.json["runs"].push_back(run_json(run, rows, draft.blocks));
@@ -76,12 +75,12 @@ bool fill_with_particles(Draft& draft, std::vector<RunFiles>& runs, std::size_t 
   std::size_t const before = draft.size();
   ParticleBudget budget;
   budget.bytes = room;
-  for (int tries = 0; tries < 4; ++tries) {
+  for (int tries = 0; tries < 8; ++tries) {
     if (!add_particles(draft, runs, budget)) return false;
     std::size_t const used = draft.size() - before;
     if (used <= room) return true;
     drop_particles(draft, runs);
-    budget.bytes = static_cast<std::size_t>(0.95 * static_cast<double>(budget.bytes) *
+    budget.bytes = static_cast<std::size_t>(0.9 * static_cast<double>(budget.bytes) *
                                             static_cast<double>(room) / static_cast<double>(used));
   }
   for (auto& run : draft.json["runs"]) run["particles"] = nullptr;

@@ -94,7 +94,9 @@ TEST_F(References, HaveMistakesThatAreTold) {
           Bad{"gauge = \"bed\"\nfile = \"back.csv\"\nsource = \"s\"", "",
               "case.toml:19:8: reference.r.file: \"back.csv\" has times that are not in ascending "
               "order"},
-          Bad{"gauge = \"bed\"\nvalue = 1", "", "case.toml:16:1: reference.r.source: is missing"},
+          Bad{"gauge = \"bed\"\nvalue = 1", "",
+              "case.toml:16:1: reference.r.source: is missing: where the value or curve "
+              "comes from"},
       })
     EXPECT_EQ(error_of(text_of(reference, output)), message);
 }

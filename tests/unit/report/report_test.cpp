@@ -60,7 +60,7 @@ file = "line.csv"
 source = "drawn by hand"
 )";
 
-class Report : public ScratchFolder {
+class RunReport : public ScratchFolder {
  protected:
   /// Runs the case to its end in the folder `name`.
   void run(std::string const& name, std::string const& text = small_tank) {
@@ -96,7 +96,7 @@ class Report : public ScratchFolder {
   }
 };
 
-TEST_F(Report, HoldsReadingsAsTheyWereWritten) {
+TEST_F(RunReport, HoldsReadingsAsTheyWereWritten) {
   run("one");
   PageReader const page = report({"one"});
   Table const table = read_table_csv(path("one/gauges.csv"));
@@ -110,7 +110,7 @@ TEST_F(Report, HoldsReadingsAsTheyWereWritten) {
   EXPECT_EQ(page.run().at("state"), "ended");
 }
 
-TEST_F(Report, JudgesTheRun) {
+TEST_F(RunReport, JudgesTheRun) {
   run("one");
   PageReader const page = report({"one"});
   auto const& quality = page.run().at("quality");
@@ -126,7 +126,7 @@ TEST_F(Report, JudgesTheRun) {
   EXPECT_NEAR(share, 1.0, 1e-12);
 }
 
-TEST_F(Report, ComparesWithTheReferencesOfTheCase) {
+TEST_F(RunReport, ComparesWithTheReferencesOfTheCase) {
   run("one");
   PageReader const page = report({"one"});
   auto const& comparisons = page.run().at("comparisons");
@@ -142,7 +142,7 @@ TEST_F(Report, ComparesWithTheReferencesOfTheCase) {
   EXPECT_EQ(page.numbers<double>(curve.at("value")), (std::vector<double>{0.0, 100.0}));
 }
 
-TEST_F(Report, ShowsParticlesWhereTheyWere) {
+TEST_F(RunReport, ShowsParticlesWhereTheyWere) {
   run("one");
   PageReader const page = report({"one"});
   auto const& particles = page.run().at("particles");
@@ -166,7 +166,7 @@ TEST_F(Report, ShowsParticlesWhereTheyWere) {
   EXPECT_FALSE(particles.at("walls").is_null());
 }
 
-TEST_F(Report, MarksDefaultsAmongTheSettings) {
+TEST_F(RunReport, MarksDefaultsAmongTheSettings) {
   run("one");
   PageReader const page = report({"one"});
   auto const& settings = page.run().at("settings");
@@ -183,7 +183,7 @@ TEST_F(Report, MarksDefaultsAmongTheSettings) {
   EXPECT_EQ(of("wall tank", "slip").at("is_default"), true);
 }
 
-TEST_F(Report, DrawsRunsOverEachOther) {
+TEST_F(RunReport, DrawsRunsOverEachOther) {
   run("one");
   std::filesystem::create_directories(path("other"));
   run("other/one");
@@ -194,7 +194,7 @@ TEST_F(Report, DrawsRunsOverEachOther) {
   EXPECT_EQ(page.gauge("a <i>gauge</i> pressure", 0), page.gauge("a <i>gauge</i> pressure", 1));
 }
 
-TEST_F(Report, StaysWithinItsSizeAndSaysWhatItLeavesOut) {
+TEST_F(RunReport, StaysWithinItsSizeAndSaysWhatItLeavesOut) {
   run("one");
   ReportOptions small;
   small.most_bytes = std::filesystem::file_size([&] {
@@ -207,7 +207,7 @@ TEST_F(Report, StaysWithinItsSizeAndSaysWhatItLeavesOut) {
   EXPECT_NE(page.run().at("particles").at("note"), "");
 }
 
-TEST_F(Report, OfAFolderThatMissesPiecesSaysWhich) {
+TEST_F(RunReport, OfAFolderThatMissesPiecesSaysWhich) {
   run("one");
   write(path("one/gauges.csv"), "time [s],a\n1,x\n");
   write(path("one/case.used.toml"), "nothing of the kind");
@@ -221,7 +221,7 @@ TEST_F(Report, OfAFolderThatMissesPiecesSaysWhich) {
   EXPECT_EQ(page.run().at("state"), "ended") << "told by the manifest";
 }
 
-TEST_F(Report, OfNoRunIsRefused) {
+TEST_F(RunReport, OfNoRunIsRefused) {
   std::filesystem::create_directories(path("empty"));
   EXPECT_NE(message_of<InputErrors>([&] { report({"empty"}); }).find("holds no run"),
             std::string::npos);
@@ -229,7 +229,7 @@ TEST_F(Report, OfNoRunIsRefused) {
             std::string::npos);
 }
 
-TEST_F(Report, OfAMillionParticlesShowsAShareOfThem) {
+TEST_F(RunReport, OfAMillionParticlesShowsAShareOfThem) {
   run("one");
   ParticleStore store(3);
   for (std::size_t i = 0; i < 1'000'000; ++i) {
