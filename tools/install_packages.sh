@@ -2,7 +2,7 @@
 # tools/install_packages.sh [GROUP...]
 #
 # Installs those Debian packages of tools/packages.txt that are missing. GROUP: build (default),
-# reader, schema, format, tidy, clang. When nothing is missing it returns at once and needs neither network nor rights.
+# reader, schema, browser, node, format, tidy, clang. When nothing is missing it returns at once and needs neither network nor rights.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "output/atomic_file.hpp"
@@ -40,6 +41,14 @@ struct Draft {
   }
 };
 
+/// Runs of one title, as those of one case at several spacings, go by the names of their folders.
+void tell_apart(Json& runs) {
+  std::map<std::string, int> count;
+  for (auto const& run : runs) ++count[run["title"].get<std::string>()];
+  for (auto& run : runs)
+    if (count[run["title"].get<std::string>()] > 1) run["title"] = run["name"];
+}
+
 /// All but particles, with as many rows of tables as fit into `bytes`.
 Draft without_particles(std::vector<RunFiles>& runs, std::size_t bytes) {
   for (std::size_t rows = most_rows;; rows = rows * 2 / 3) {
@@ -49,6 +58,7 @@ Draft without_particles(std::vector<RunFiles>& runs, std::size_t bytes) {
       draft.json["runs"].push_back(run_json(run, rows, draft.blocks));
       run.notes = kept;  // the next try finds them again
     }
+    tell_apart(draft.json["runs"]);
     if (draft.size() <= bytes || rows < fewest_rows) return draft;
   }
 }

@@ -191,6 +191,7 @@ TEST_F(RunReport, DrawsRunsOverEachOther) {
   EXPECT_EQ(page.report().at("runs").size(), 2u);
   EXPECT_EQ(page.run(0).at("name"), "one");
   EXPECT_EQ(page.run(1).at("name"), "one (2)");
+  EXPECT_EQ(page.run(1).at("title"), "one (2)") << "their titles are the same";
   EXPECT_EQ(page.gauge("a <i>gauge</i> pressure", 0), page.gauge("a <i>gauge</i> pressure", 1));
 }
 
