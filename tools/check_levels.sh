@@ -18,7 +18,7 @@ levels="
 3 terms walls bodies motion
 4 coupling probes
 5 step
-6 output setup
+6 output setup sweep
 7 app python bench verify
 "
 

@@ -1,0 +1,192 @@
+#include "sweep/read_sweep.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "base/input_error.hpp"
+#include "unit/output/scratch_folder.hpp"
+#include "unit/sweep/sample_case.hpp"
+
+namespace moraine {
+namespace {
+
+class ReadSweep : public ScratchFolder {
+ protected:
+  void SetUp() override {
+    ScratchFolder::SetUp();
+    write(path("sample.toml"), sample_case);
+  }
+  SweepPlan plan(std::string const& text) const {
+    write(path("sweep.toml"), "case = \"sample.toml\"\n" + text);
+    return read_sweep(path("sweep.toml")).plan;
+  }
+  /// All messages, one a line, without the folder.
+  std::string mistakes(std::string const& text) const {
+    std::string said = message_of<InputErrors>([&] { plan(text); });
+    std::string const folder = path("").string();
+    for (auto at = said.find(folder); at != std::string::npos; at = said.find(folder))
+      said.erase(at, folder.size());
+    return said;
+  }
+  static std::vector<std::string> rows(SweepPlan const& plan) {
+    std::vector<std::string> all;
+    for (auto const& member : plan.members) {
+      std::string& row = all.emplace_back();
+      for (auto const& value : member.values) row += (row.empty() ? "" : " ") + value.toml;
+    }
+    return all;
+  }
+};
+
+TEST_F(ReadSweep, GridTakesEveryValueWithEveryOther) {
+  auto const read = plan(R"(method = "grid"
+at_once = 3
+[[parameter]]
+key = "resolution.spacing"
+values = ["1 cm", 0.02]
+[[parameter]]
+key = "resolution.kernel"
+values = ["wendland_c2", "cubic_spline", "lucy"]
+label = "kernel"
+)");
+  EXPECT_EQ(rows(read),
+            (std::vector<std::string>{"\"1 cm\" \"wendland_c2\"", "\"1 cm\" \"cubic_spline\"",
+                                      "\"1 cm\" \"lucy\"", "0.02 \"wendland_c2\"",
+                                      "0.02 \"cubic_spline\"", "0.02 \"lucy\""}));
+  EXPECT_EQ(read.members[0].name, "001-1_cm-wendland_c2");
+  EXPECT_EQ(read.members[5].name, "006-0.02-lucy");
+  EXPECT_EQ(std::get<double>(read.members[0].values[0].shown), 0.01);
+  EXPECT_EQ(std::get<std::string>(read.members[0].values[1].shown), "wendland_c2");
+  EXPECT_EQ(read.axes[0].columns[0].unit, "m");
+  EXPECT_EQ(read.axes[1].columns[0].label, "kernel");
+  EXPECT_EQ(read.at_once, 3);
+}
+
+TEST_F(ReadSweep, ListTakesValuesTogetherAndKeysMayGoTogether) {
+  auto const read = plan(R"(method = "list"
+[[parameter]]
+keys = ["resolution.spacing", "resolution.smoothing_factor"]
+values = [["1 cm", 1.2], ["2 cm", 1.5], ["2.5 cm", 2.0]]
+label = ["spacing", "h over spacing"]
+[[parameter]]
+key = "time.end"
+range = ["1 ms", "4 ms"]
+steps = 3
+scale = "log"
+[[parameter]]
+key = "gauge.1.5 cm.position"
+values = [[0.1, 0.1]]
+)");
+  EXPECT_EQ(rows(read), (std::vector<std::string>{"\"1 cm\" 1.2 0.001 [0.1, 0.1]",
+                                                  "\"2 cm\" 1.5 0.002 [0.1, 0.1]",
+                                                  "\"2.5 cm\" 2.0 0.004 [0.1, 0.1]"}));
+  EXPECT_EQ(read.columns()[1].label, "h over spacing");
+  EXPECT_TRUE(read.axes[1].logarithmic);
+  EXPECT_EQ(std::get<std::string>(read.members[0].values[3].shown), "[0.1, 0.1]");
+}
+
+TEST_F(ReadSweep, LatinHypercubeDrawsFromRangesAndValues) {
+  std::string const text = R"(method = "latin_hypercube"
+samples = 8
+seed = 5
+[[parameter]]
+key = "material.gas.heat_capacity_ratio"
+range = [1.2, 1.6]
+[[parameter]]
+key = "resolution.kernel"
+values = ["wendland_c2", "cubic_spline"]
+)";
+  auto const read = plan(text);
+  ASSERT_EQ(read.members.size(), 8U);
+  std::vector<int> strata(8, 0);
+  int first_kernel = 0;
+  for (auto const& member : read.members) {
+    double const value = std::get<double>(member.values[0].shown);
+    ++strata[static_cast<std::size_t>((value - 1.2) / 0.4 * 8.0)];
+    first_kernel += std::get<std::string>(member.values[1].shown) == "wendland_c2" ? 1 : 0;
+  }
+  EXPECT_EQ(strata, std::vector<int>(8, 1));
+  EXPECT_EQ(first_kernel, 4) << "every value has its share";
+  EXPECT_EQ(rows(plan(text)), rows(read));
+}
+
+TEST_F(ReadSweep, OutputsNameColumnsOfTheCase) {
+  auto const read = plan(R"(method = "grid"
+[[parameter]]
+key = "resolution.spacing"
+values = ["1 cm"]
+[[output]]
+gauge = "1.5 cm"
+column = "pressure"
+measure = "arrival"
+[[output]]
+gauge = "top"
+measure = "peak"
+label = "height"
+[[output]]
+sums = "total_energy"
+measure = "last"
+[[output]]
+run = "energy_error"
+)");
+  ASSERT_EQ(read.outputs.size(), 4U);
+  EXPECT_EQ(read.outputs[0].column, "1.5 cm pressure");
+  EXPECT_EQ(read.outputs[0].label, "1.5 cm pressure arrival");
+  EXPECT_EQ(read.outputs[0].unit, "s");
+  EXPECT_EQ(read.outputs[1].column, "top front");
+  EXPECT_EQ(read.outputs[1].label, "height");
+  EXPECT_EQ(read.outputs[2].unit, "J");
+  EXPECT_EQ(read.outputs[3].unit, "");
+}
+
+TEST_F(ReadSweep, AllMistakesAtOnceWithTheirPlaces) {
+  EXPECT_EQ(mistakes(R"(method = "gird"
+colour = "red"
+[[parameter]]
+key = "resolution.spacin"
+values = [1]
+[[parameter]]
+key = "time.end"
+values = ["3 kg", "1 ms", -1.0]
+[[parameter]]
+key = "resolution.kernel"
+range = [1, 2]
+steps = 3
+[[output]]
+gauge = "1.6 cm"
+measure = "peak"
+[[output]]
+gauge = "top"
+measure = "arrival"
+[[output]]
+sums = "total_energi"
+measure = "last"
+[[output]]
+run = "steps"
+measure = "last"
+)"),
+            "sweep.toml:2:10: method: \"gird\" is not a known name; did you mean \"grid\"?\n"
+            "sweep.toml:3:1: colour: is an unknown key; choose");
+}
+
+TEST_F(ReadSweep, MembersAreCheckedAndEachMistakeIsSaidOnce) {
+  EXPECT_EQ(mistakes(R"(method = "grid"
+[[parameter]]
+key = "gauge.1.position"
+values = [[0.4, 0.25], [7.0, 0.25]]
+[[parameter]]
+key = "resolution.smoothing_factor"
+values = [1.2, 1.3, 1.4, 1.5]
+)"),
+            "");
+}
+
+TEST_F(ReadSweep, ACaseThatCannotBeReadIsOneMistake) {
+  write(path("sweep.toml"), "case = \"none.toml\"\nmethod = \"grid\"\n");
+  EXPECT_EQ(message_of<InputErrors>([&] { read_sweep(path("sweep.toml")); }),
+            path("sweep.toml").string() + ":1:8: case: \"none.toml\" does not exist");
+}
+
+}  // namespace
+}  // namespace moraine
