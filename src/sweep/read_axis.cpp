@@ -177,7 +177,8 @@ class AxisReader {
     for (SweepColumn const& column : axis_.columns) {
       auto const type = column.key.parameter->type;
       if (type != ValueType::real && type != ValueType::integer)
-        return wrong(node, prefix_ + "range", fmt::format("but {} is no number", column.key.path),
+        return wrong(node, prefix_ + "range",
+                     fmt::format("is a range, but {} takes no numbers", column.key.path),
                      "give values");
     }
     std::array<double, 2> ends{};

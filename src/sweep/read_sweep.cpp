@@ -141,24 +141,29 @@ class SweepReader {
                               source_.good("method") ? std::optional(head_.method) : std::nullopt};
     read_list("parameter", [&](toml::table const& table, std::string const& prefix) {
       if (auto axis = read_axis(table, prefix, context, source_)) {
-        check_new(*axis, table, prefix);
-        plan_.axes.push_back(std::move(*axis));
+        if (is_new(*axis, table, prefix)) plan_.axes.push_back(std::move(*axis));
       } else {
         whole_ = false;
       }
     });
   }
 
-  void check_new(SweepAxis const& axis, toml::table const& table, std::string const& prefix) {
+  /// Keys and labels are there once. Only a key that is there twice makes the parameter useless.
+  bool is_new(SweepAxis const& axis, toml::table const& table, std::string const& prefix) {
+    std::string const key = prefix.substr(0, prefix.size() - 1);
+    auto const wrong = [&](std::string rule, std::string hint) {
+      source_.report_key(key, stretch_of(table.source()), std::move(rule), std::move(hint));
+    };
     for (SweepColumn const& column : axis.columns) {
-      auto const place = stretch_of(table.source());
-      std::string const key = prefix.substr(0, prefix.size() - 1);
-      if (!keys_.insert(column.key.path).second)
-        source_.report_key(key, place, fmt::format("varies {} a second time", column.key.path));
+      if (!keys_.insert(column.key.path).second) {
+        wrong(fmt::format("varies {} a second time", column.key.path), "");
+        return false;
+      }
       if (!labels_.insert(column.label).second)
-        source_.report_key(key, place, fmt::format("has the label \"{}\" of another", column.label),
-                           "give it a label of its own");
+        wrong(fmt::format("has the label \"{}\" of another", column.label),
+              "give it a label of its own");
     }
+    return true;
   }
 
   void read_outputs() {

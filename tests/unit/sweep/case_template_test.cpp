@@ -53,8 +53,7 @@ TEST_F(CaseTemplates, ReplaceKeysThatAreThereAndThatAreNot) {
 
 TEST_F(CaseTemplates, MistakesOfACaseComeOut) {
   CaseTemplate const cases(path("sample.toml"));
-  std::vector<Replacement> const wrong{
-      replacement(cases, "region.bubble.disc.center", "[\"1 km\", 0.0]")};
+  std::vector<Replacement> const wrong{replacement(cases, "gauge.1.position", "[\"1 km\", 0.0]")};
   EXPECT_THROW(cases.with(wrong), InputErrors);
 }
 

@@ -141,7 +141,8 @@ run = "energy_error"
 }
 
 TEST_F(ReadSweep, AllMistakesAtOnceWithTheirPlaces) {
-  EXPECT_EQ(mistakes(R"(method = "gird"
+  EXPECT_EQ(
+      mistakes(R"(method = "gird"
 colour = "red"
 [[parameter]]
 key = "resolution.spacin"
@@ -166,8 +167,21 @@ measure = "last"
 run = "steps"
 measure = "last"
 )"),
-            "sweep.toml:2:10: method: \"gird\" is not a known name; did you mean \"grid\"?\n"
-            "sweep.toml:3:1: colour: is an unknown key; choose");
+      "sweep.toml:2:10: method: \"gird\" is not a known name; did you mean \"grid\"?\n"
+      "sweep.toml:3:1: colour: is an unknown key\n"
+      "sweep.toml:5:7: parameter[1].key: \"resolution.spacin\" is no key of a case; did you mean "
+      "\"resolution.spacing\"?\n"
+      "sweep.toml:9:11: time.end: \"3 kg\" is a mass; a time is expected (s)\n"
+      "sweep.toml:9:27: time.end: -1.0 must be greater than 0 s\n"
+      "sweep.toml:12:9: parameter[3].range: [1, 2] is a range, but resolution.kernel takes no "
+      "numbers; give values\n"
+      "sweep.toml:15:9: output[1].gauge: \"1.6 cm\" is no gauge of the case; did you mean \"1.5 "
+      "cm\"?\n"
+      "sweep.toml:19:11: output[2].measure: \"arrival\" is known of pressures of gauges only\n"
+      "sweep.toml:21:8: output[3].sums: \"total_energi\" is no column of sums.csv; did you mean "
+      "\"total_energy\"?\n"
+      "sweep.toml:25:11: output[4].measure: \"last\" does not belong to a number of the run; "
+      "leave it out");
 }
 
 TEST_F(ReadSweep, MembersAreCheckedAndEachMistakeIsSaidOnce) {
@@ -179,7 +193,65 @@ values = [[0.4, 0.25], [7.0, 0.25]]
 key = "resolution.smoothing_factor"
 values = [1.2, 1.3, 1.4, 1.5]
 )"),
-            "");
+            "sweep.toml:5:24: gauge.1.position: [7.0, 0.25] is outside the domain (members "
+            "005-7.0_0.25-1.2, 006-7.0_0.25-1.3, 007-7.0_0.25-1.4 and 1 more)");
+  // A value that makes another key of the case wrong.
+  EXPECT_EQ(
+      mistakes(R"(method = "grid"
+[[parameter]]
+keys = ["space.domain.min", "space.domain.max"]
+values = [[[0.0, 0.0], [0.5, 0.5]], [[0.0, 0.0], [0.3, 0.5]]]
+)"),
+      "sweep.toml: region.sea.box.max: [0.5, 0.5] is outside the domain (member 002-0.0_0.0)\n"
+      "sweep.toml: wall.tank.container.max: [0.5, 0.5] is outside the domain (member "
+      "002-0.0_0.0)\n"
+      "sweep.toml: gauge.1.position: [0.4, 0.25] is outside the domain (member 002-0.0_0.0)");
+}
+
+TEST_F(ReadSweep, RulesBetweenKeysOfASweep) {
+  EXPECT_EQ(mistakes(R"(method = "latin_hypercube"
+[[parameter]]
+key = "time.end"
+range = ["1 ms", "2 ms"]
+steps = 4
+)"),
+            "sweep.toml:2:10: samples: is missing: how many members a latin hypercube has\n"
+            "sweep.toml:3:1: parameter[1]: has steps; a latin hypercube draws as many values as it "
+            "has samples");
+  EXPECT_EQ(
+      mistakes(R"(method = "list"
+seed = 3
+[[parameter]]
+key = "time.end"
+values = ["1 ms", "2 ms"]
+[[parameter]]
+key = "numerics.viscosity_alpha"
+range = [0.0, 2.0]
+scale = "log"
+steps = 3
+[[parameter]]
+key = "time.end"
+values = ["1 ms", "2 ms", "3 ms"]
+[[parameter]]
+key = "resolution.spacing"
+range = ["1 cm", "2 cm"]
+[[parameter]]
+key = "resolution.smoothing_factor"
+values = [1.2, 1.3, 1.4]
+[[parameter]]
+key = "resolution.kernel"
+values = ["lucy"]
+label = "resolution.smoothing_factor"
+)"),
+      "sweep.toml:3:8: seed: 3 belongs to method = \"latin_hypercube\"; leave it out\n"
+      "sweep.toml:6:11: time.end: has 2 values where another parameter has 3; a list takes the "
+      "first values together, then the second ones ...; one value counts for all\n"
+      "sweep.toml:9:10: numerics.viscosity_alpha: 0.0 has no place on a logarithmic scale; it "
+      "must be above 0\n"
+      "sweep.toml:12:1: parameter[3]: varies time.end a second time\n"
+      "sweep.toml:15:1: parameter[4]: needs steps: how many values its range gives\n"
+      "sweep.toml:21:1: parameter[6]: has the label \"resolution.smoothing_factor\" of another; "
+      "give it a label of its own");
 }
 
 TEST_F(ReadSweep, ACaseThatCannotBeReadIsOneMistake) {
