@@ -41,14 +41,12 @@ class KeySearch {
   Target const& target_;
 };
 
-KeyMistake unknown(std::string_view path, std::string_view prefix, std::string_view inner,
+KeyMistake unknown(std::string_view prefix, std::string_view inner,
                    std::vector<std::string_view> const& names) {
   for (std::string_view const name : names)
     if (name.size() > inner.size() && name.starts_with(inner) && name[inner.size()] == '.')
       return {"is a table", fmt::format("name one of its keys, such as \"{}{}\"", prefix, name)};
-  std::string_view best = nearest_name(inner, names);
-  if (best.empty() && prefix.empty() && path.find('.') == std::string_view::npos)
-    return {"is no key of a case", "moraine explain lists all keys"};
+  std::string_view const best = nearest_name(inner, names);
   if (best.empty()) return {"is no key of a case", "moraine explain lists all keys"};
   return {"is no key of a case", fmt::format("did you mean \"{}{}\"?", prefix, best)};
 }
@@ -63,7 +61,7 @@ std::variant<CaseKey, KeyMistake> key_in(std::string_view path, Section section,
   bool const name = inner == "name" && info(section).repeat == Repeat::list;
   if (name) return KeyMistake{"is a name, which a sweep cannot change", ""};
   auto const* parameter = search.find(inner);
-  if (parameter == nullptr) return unknown(path, prefix, inner, search.names());
+  if (parameter == nullptr) return unknown(prefix, inner, search.names());
   return CaseKey{std::string(path), section, std::string(item), std::string(inner), parameter};
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "output/checkpoint/start_reader.hpp"
 #include "sweep/read_sweep.hpp"
 
 namespace moraine {
@@ -44,7 +45,8 @@ std::vector<InputProblem> check_members(SweepPlan const& plan, CaseTemplate cons
   auto const columns = plan.columns();
   std::vector<MemberMistake> mistakes;
   for (SweepMember const& member : plan.members) try {
-      cases.with(replacements_of(plan, member));
+      Case c = cases.with(replacements_of(plan, member));
+      read_start(c);
     } catch (InputErrors const& errors) {
       for (InputProblem const& problem : errors.problems()) {
         auto found = std::find_if(mistakes.begin(), mistakes.end(),

@@ -10,8 +10,9 @@
 
 namespace moraine {
 
-/// Checks the case of every member. Each mistake is said once, with the members that have it: at
-/// the place of the value that is wrong, or else, in the result, without a place.
+/// Checks the case of every member, with the state that it starts from. Each mistake is said once,
+/// with the members that have it: at the place of the value that is wrong, or else, in the result,
+/// without a place.
 std::vector<InputProblem> check_members(SweepPlan const& plan, CaseTemplate const& cases,
                                         Source& source);
 

@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <chrono>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <string>
@@ -20,6 +23,20 @@ namespace moraine {
 namespace {
 
 using State = SweepTable::State;
+
+/// The process whose command line holds `words`, joined by blanks; 0 if there is none.
+pid_t process_with(std::string const& words) {
+  std::error_code none;
+  for (auto const& entry : std::filesystem::directory_iterator("/proc", none)) {
+    std::string const name = entry.path().filename().string();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    std::ifstream stream(entry.path() / "cmdline", std::ios::binary);
+    std::string line{std::istreambuf_iterator<char>(stream), {}};
+    std::replace(line.begin(), line.end(), '\0', ' ');
+    if (line.find(words) != std::string::npos) return static_cast<pid_t>(std::stol(name));
+  }
+  return 0;
+}
 
 /// Time steps of which the third is far too long.
 constexpr char const* four_steps = R"(title = "time steps"
@@ -155,6 +172,29 @@ TEST_F(SweepCommand, KilledInTheMiddleItGoesOnToTheSameTable) {
       << "from its checkpoint";
 }
 
+TEST_F(SweepCommand, AMemberThatIsKilledGoesOn) {
+  std::string one = four_steps;
+  replace(one, "\"0.2 ms\", \"5 ms\", \"0.3 ms\"", "\"0.2 ms\"");
+  replace(one, "[[output]]",
+          "[[parameter]]\nkeys = [\"time.end\", \"output.checkpoints\"]\n"
+          "values = [[\"0.2 s\", \"10 ms\"]]\nlabel = [\"end\", \"saved\"]\n[[output]]");
+  write(path("steps.toml"), one);
+  std::filesystem::create_directories(path("live"));
+  std::string const folder = path("killed").string();
+  Program program(path("live"), {"sweep", "../steps.toml", "-o", folder});
+  auto const checkpoints = path("killed/members/001-0.1_ms/checkpoints");
+  for (int tries = 0; tries < 6000 && !std::filesystem::exists(checkpoints); ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  pid_t const member = process_with("moraine run " + folder + "/members/001");
+  ASSERT_NE(member, 0);
+  ASSERT_EQ(kill(member, SIGKILL), 0);
+  CommandResult const result = program.wait();
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(bytes_of(path("killed/members/001-0.1_ms/log.txt")).find("goes on at time"),
+            std::string::npos);
+}
+
 TEST_F(SweepCommand, CtrlCSavesTheMembersThatRun) {
   std::string endless = four_steps;
   replace(endless, "[[output]]",
@@ -230,6 +270,18 @@ TEST_F(SweepCommand, ListSaysWhatWouldRunAndWritesNothing) {
             std::string::npos)
       << result.out;
   EXPECT_FALSE(std::filesystem::exists(path("results")));
+}
+
+TEST_F(SweepCommand, TheExampleOfThePageIsGood) {
+  std::string const page = bytes_of(source_folder() + "/docs/sweeps.md");
+  auto const begin = page.find("```toml\n") + 8;
+  std::filesystem::create_directories(path("sweeps"));
+  write(path("sweeps/page.toml"), page.substr(begin, page.find("```", begin) - begin));
+  std::filesystem::copy_file(source_folder() + "/cases/tnt-in-water/case.toml", path("case.toml"),
+                             std::filesystem::copy_options::overwrite_existing);
+  auto const result = moraine_command(path(""), {"sweep", "sweeps/page.toml", "--list"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.out.find("\n6 members\n"), std::string::npos) << result.out;
 }
 
 // The sweeps that come with the program, and the examples of the help.
