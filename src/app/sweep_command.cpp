@@ -121,7 +121,7 @@ void list_members(SweepPlan const& plan, std::vector<MemberFolder> const& member
     for (std::size_t c = 0; c < columns.size(); ++c)
       fmt::print("  {} = {}\n", columns[c].key.path, plan.members[i].values[c].toml);
   }
-  fmt::print("{} members\n", members.size());
+  fmt::print("{} member{}\n", members.size(), members.size() == 1 ? "" : "s");
 }
 
 class SweepRun {
@@ -179,7 +179,8 @@ class SweepRun {
 
   void say_start(std::size_t wanted) {
     auto const kept = members_.size() - wanted;
-    fmt::print("{}\n{} members of {}", plan_.title, members_.size(), plan_.case_file.string());
+    fmt::print("{}\n{} member{} of {}", plan_.title, members_.size(),
+               members_.size() == 1 ? "" : "s", plan_.case_file.string());
     if (kept > 0) fmt::print(", {} kept from before", kept);
     if (wanted == 0) fmt::print(": nothing is left to run");
     fmt::print("\n");

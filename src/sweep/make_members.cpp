@@ -61,9 +61,12 @@ std::vector<Row> drawn_rows(SweepPlan const& plan) {
   return rows;
 }
 
+/// Short, and a name of a file; members are told apart by their numbers.
 std::string slug(SweepValue const& value) {
+  auto const* number = std::get_if<double>(&value.shown);
+  bool const bare = number != nullptr && !value.toml.starts_with('"');
   std::string text;
-  for (char const c : value.toml) {
+  for (char const c : bare ? fmt::format("{:.4g}", *number) : value.toml) {
     bool const plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-';
     if (plain)
       text += c;

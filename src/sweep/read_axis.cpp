@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -143,19 +144,26 @@ class AxisReader {
     if (values.size() == row->size()) axis_.values.push_back(std::move(values));
   }
 
+  /// Where the dimension itself changes, vectors may have any number of components.
+  int dimension() const {
+    bool const changes = std::any_of(axis_.columns.begin(), axis_.columns.end(),
+                                     [](auto const& c) { return c.key.path == "space.dimension"; });
+    return changes ? 0 : context_.base.dimension;
+  }
+
   std::optional<SweepValue> read_one(toml::node const& node, SweepColumn const& column) {
     Parameter const& parameter = *column.key.parameter;
     Stretch const place = stretch_of(node.source());
     std::string const text = value_text(node);
     if (parameter.type == ValueType::shapes && node.is_array())
       return SweepValue{text, text, place};
-    int const dimension = context_.base.dimension;
-    auto const value = read_value(node, parameter, dimension, column.key.path, source_);
+    auto const value = read_value(node, parameter, dimension(), column.key.path, source_);
     if (!value) {
       good_ = false;
       return std::nullopt;
     }
-    auto seen = shown(*value, parameter, dimension);
+    bool const vector = std::holds_alternative<std::array<double, 3>>(*value);
+    auto seen = vector && dimension() == 0 ? text : shown(*value, parameter, dimension());
     auto const* number = std::get_if<double>(&seen);
     if (number != nullptr && logarithmic() && *number <= 0.0)
       wrong(node, column.key.path, "has no place on a logarithmic scale; it must be above 0");
@@ -173,14 +181,7 @@ class AxisReader {
     auto const* list = node.as_array();
     if (list == nullptr || list->size() != 2)
       return wrong(node, prefix_ + "range", "must be a list of two numbers, the ends of the range");
-    if (axis_.columns.empty()) return;
-    for (SweepColumn const& column : axis_.columns) {
-      auto const type = column.key.parameter->type;
-      if (type != ValueType::real && type != ValueType::integer)
-        return wrong(node, prefix_ + "range",
-                     fmt::format("is a range, but {} takes no numbers", column.key.path),
-                     "give values");
-    }
+    if (axis_.columns.empty() || !can_have_range(node)) return;
     std::array<double, 2> ends{};
     for (std::size_t i = 0; i < 2; ++i) {
       auto const value = read_one(*list->get(i), axis_.columns.front());
@@ -189,6 +190,23 @@ class AxisReader {
     }
     axis_.range = ValueRange{ends[0], ends[1], logarithmic()};
     if (!drawn && head_.steps && good_) spread();
+  }
+
+  bool can_have_range(toml::node const& node) {
+    for (SweepColumn const& column : axis_.columns) {
+      Parameter const& parameter = *column.key.parameter;
+      Parameter const& first = *axis_.columns.front().key.parameter;
+      std::string rule;
+      if (parameter.type != ValueType::real && parameter.type != ValueType::integer)
+        rule = fmt::format("is a range, but {} takes no numbers", column.key.path);
+      else if (parameter.quantity != first.quantity)
+        rule =
+            fmt::format("is a range of {} for {} too", info(first.quantity).name, column.key.path);
+      if (rule.empty()) continue;
+      wrong(node, prefix_ + "range", rule, "give values");
+      return false;
+    }
+    return true;
   }
 
   void spread() {

@@ -86,7 +86,8 @@ class PlotAxis {
       }
       auto const [found, added] = known.emplace(key, series_.size());
       if (added) series_.push_back({name, {}});
-      series_[found->second].points.emplace_back(place_of(member.values[first_]), m);
+      double const place = place_of(member.values[first_]);
+      if (std::isfinite(place)) series_[found->second].points.emplace_back(place, m);
     }
     for (Series& one : series_) std::stable_sort(one.points.begin(), one.points.end());
   }
@@ -113,7 +114,7 @@ class PlotAxis {
         low = std::min(low, place);
         high = std::max(high, place);
       }
-    return {low, high};
+    return low <= high ? std::pair(low, high) : std::pair(0.0, 0.0);
   }
 
   SweepAxis const& axis_;

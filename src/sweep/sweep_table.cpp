@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -58,8 +59,14 @@ Json number_json(std::optional<double> const& value) {
 
 Json member_json(SweepTable::Member const& member, MemberCost const& cost) {
   Json values = Json::array();
-  for (auto const& value : member.values)
-    std::visit([&](auto const& held) { values.push_back(held); }, value);
+  for (auto const& value : member.values) {
+    auto const* number = std::get_if<double>(&value);
+    if (number != nullptr && std::isfinite(*number))
+      values.push_back(*number);
+    else  // JSON has no infinity
+      values.push_back(number != nullptr ? fmt::format("{}", *number)
+                                         : std::get<std::string>(value));
+  }
   Json outputs = Json::array();
   for (auto const& output : member.outputs) outputs.push_back(number_json(output));
   return {{"name", member.name},

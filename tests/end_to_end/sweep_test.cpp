@@ -89,6 +89,18 @@ class SweepCommand : public ScratchFolder {
   std::filesystem::file_time_type age(std::string const& file) const {
     return std::filesystem::last_write_time(path(file));
   }
+  /// Until a run has saved a state that is whole: then its file has its name.
+  void wait_for_checkpoint(std::string const& run) const {
+    auto const saved = [&] {
+      std::error_code none;
+      for (auto const& entry :
+           std::filesystem::directory_iterator(path(run + "/checkpoints"), none))
+        if (entry.path().extension() == ".h5") return true;
+      return false;
+    };
+    for (int tries = 0; tries < 30000 && !saved(); ++tries)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
   static void replace(std::string& text, std::string const& old, std::string const& now) {
     auto const at = text.find(old);
     ASSERT_NE(at, std::string::npos) << old;
@@ -156,10 +168,7 @@ TEST_F(SweepCommand, KilledInTheMiddleItGoesOnToTheSameTable) {
 
   std::filesystem::create_directories(path("live"));
   Program program(path("live"), {"sweep", "../steps.toml", "-o", "../broken"});
-  auto const checkpoints = path("broken/members/001-0.1_ms/checkpoints");
-  for (int tries = 0; tries < 6000 && !std::filesystem::exists(checkpoints); ++tries)
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  wait_for_checkpoint("broken/members/001-0.1_ms");
   program.send(SIGKILL);
   ASSERT_EQ(program.wait().code, 128 + SIGKILL) << "it went on until now";
   CommandResult const resumed = sweep_to("broken");
@@ -182,10 +191,7 @@ TEST_F(SweepCommand, AMemberThatIsKilledGoesOn) {
   std::filesystem::create_directories(path("live"));
   std::string const folder = path("killed").string();
   Program program(path("live"), {"sweep", "../steps.toml", "-o", folder});
-  auto const checkpoints = path("killed/members/001-0.1_ms/checkpoints");
-  for (int tries = 0; tries < 6000 && !std::filesystem::exists(checkpoints); ++tries)
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  wait_for_checkpoint("killed/members/001-0.1_ms");
   pid_t const member = process_with("moraine run " + folder + "/members/001");
   ASSERT_NE(member, 0);
   ASSERT_EQ(kill(member, SIGKILL), 0);
@@ -202,12 +208,8 @@ TEST_F(SweepCommand, CtrlCSavesTheMembersThatRun) {
   write(path("steps.toml"), endless);
   std::filesystem::create_directories(path("live"));
   Program program(path("live"), {"sweep", "../steps.toml", "-o", "../stopped"});
-  auto const started = [&](std::string const& name) {
-    return std::filesystem::exists(path("stopped/members/" + name + "/checkpoints"));
-  };
-  for (int tries = 0; tries < 6000 && !(started("001-0.1_ms") && started("002-0.2_ms")); ++tries)
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  wait_for_checkpoint("stopped/members/001-0.1_ms");
+  wait_for_checkpoint("stopped/members/002-0.2_ms");
   program.send(SIGINT);
   CommandResult const stopped = program.wait();
   EXPECT_EQ(stopped.code, 130) << stopped.err;

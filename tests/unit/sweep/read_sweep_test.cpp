@@ -254,6 +254,24 @@ label = "resolution.smoothing_factor"
       "give it a label of its own");
 }
 
+TEST_F(ReadSweep, RangesOfSeveralKeysAreOfOneQuantity) {
+  EXPECT_EQ(mistakes(R"(method = "grid"
+[[parameter]]
+keys = ["resolution.spacing", "resolution.smoothing_factor"]
+range = ["1 cm", "2 cm"]
+steps = 2
+)"),
+            "sweep.toml:5:9: parameter[1].range: [\"1 cm\", \"2 cm\"] is a range of a length for "
+            "resolution.smoothing_factor too; give values");
+  EXPECT_EQ(rows(plan(R"(method = "grid"
+[[parameter]]
+keys = ["numerics.viscosity_alpha", "numerics.viscosity_beta"]
+range = [1, 2]
+steps = 2
+)")),
+            (std::vector<std::string>{"1.0 1.0", "2.0 2.0"}));
+}
+
 TEST_F(ReadSweep, ACaseThatCannotBeReadIsOneMistake) {
   write(path("sweep.toml"), "case = \"none.toml\"\nmethod = \"grid\"\n");
   EXPECT_EQ(message_of<InputErrors>([&] { read_sweep(path("sweep.toml")); }),

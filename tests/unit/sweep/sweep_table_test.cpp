@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "unit/output/scratch_folder.hpp"
@@ -68,6 +69,13 @@ TEST_F(SweepTables, AreReadAsTheyWereWritten) {
   EXPECT_EQ(read.members[0].outputs, written.members[0].outputs);
   EXPECT_EQ(read.members[1].state, SweepTable::State::failed);
   EXPECT_EQ(member_folders(read, "out/x")[1], "out/x/members/002-b");
+}
+
+TEST_F(SweepTables, InfinityIsATextInJson) {
+  SweepTable infinite = table();
+  infinite.members[0].values[0] = std::numeric_limits<double>::infinity();
+  write_sweep_json(infinite, costs_, path("sweep.json"));
+  EXPECT_EQ(std::get<std::string>(read_sweep_table(path("")).members[0].values[0]), "inf");
 }
 
 TEST_F(SweepTables, DamagedOnesAreRefused) {
