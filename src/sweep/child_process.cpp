@@ -33,6 +33,7 @@ int exit_code(int status) {
 
 ChildProcess::ChildProcess(std::vector<std::string> words, std::filesystem::path const& log) {
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   int const file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);

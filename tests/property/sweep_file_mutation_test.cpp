@@ -60,7 +60,7 @@ TEST_F(SweepFileMutation, GivesMembersOrMistakes) {
   std::mt19937_64 random(20);
   auto const pick = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
   int good = 0, refused = 0;
-  for (int trial = 0; trial < 4000; ++trial) {
+  for (int trial = 0; trial < 1500; ++trial) {
     std::string text = pieces[0] + pieces[1 + pick(3)] + "[[parameter]]\n" + pieces[7 + pick(2)] +
                        pieces[12 + pick(4)];
     for (std::size_t more = pick(8); more > 0; --more) text += pieces[pick(pieces.size())];
@@ -76,8 +76,8 @@ TEST_F(SweepFileMutation, GivesMembersOrMistakes) {
       ++refused;
     }
   }
-  EXPECT_GT(good, 50);
-  EXPECT_GT(refused, 1000);
+  EXPECT_GT(good, 20);
+  EXPECT_GT(refused, 500);
 }
 
 }  // namespace

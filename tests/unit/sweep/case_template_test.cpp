@@ -5,6 +5,7 @@
 #include "base/input_error.hpp"
 #include "setup/read_case.hpp"
 #include "setup/used_case.hpp"
+#include "support/bodies.hpp"
 #include "unit/output/scratch_folder.hpp"
 #include "unit/sweep/sample_case.hpp"
 
@@ -73,6 +74,34 @@ TEST_F(CaseTemplates, FilesAreFoundFromAnotherFolder) {
   EXPECT_NE(member.find("file = \"../../../data/sway.csv\""), std::string::npos) << member;
   write(path("data/sway.csv"), "time,x\n0,0\n1,0\n2,0.2\n3,0\n");
   EXPECT_NE(cases.text({}, folder), member) << "another file makes another case";
+}
+
+TEST_F(CaseTemplates, BodiesAreFoundWhereverTheyStand) {
+  write(path("cube.stl"), stl_text(cube({0.0, 0.0, 0.0}, 0.4)));
+  write(path("body.toml"), R"(space = { dimension = 3 }
+resolution.spacing = 0.1
+time = { end = "1 s" }
+material.water = { eos = "tait", reference_sound_speed = 20.0 }
+[[region]]
+name = "sea"
+material = "water"
+box = { min = [0, 0, 0], max = [1, 1, 1] }
+plus = [{ disc = { center = [1, 1, 1], radius = 0.3 }, minus = [{ stl = { file = "cube.stl", units = "m" } }] }]
+[[region]]
+name = "block"
+material = "water"
+[region.stl]
+file = "cube.stl"
+units = "m"
+)");
+  CaseTemplate const cases(path("body.toml"));
+  auto const folder = path("out/members/001");
+  std::string const member = cases.text({}, folder);
+  std::filesystem::create_directories(folder);
+  write(folder / "case.toml", member);
+  EXPECT_EQ(read_case(folder / "case.toml").regions.size(), 2U);
+  auto const first = member.find("file = \"../../../cube.stl\"");
+  EXPECT_NE(member.find("file = \"../../../cube.stl\"", first + 1), std::string::npos) << member;
 }
 
 }  // namespace
