@@ -148,6 +148,16 @@ TEST_F(SweepCommand, ASecondCallRunsNothing) {
   EXPECT_NE(age("results/members/003-5_ms/log.txt"), log) << "failed ones run again";
 }
 
+TEST_F(SweepCommand, ThreadsAreSharedOut) {
+  ASSERT_EQ(sweep({"--threads", "3"}).code, 1);
+  auto const threads = [&](std::string const& member) {
+    std::string const manifest = bytes_of(path("results/members/" + member + "/manifest.json"));
+    return manifest.substr(manifest.find("\"threads\": "), 12);
+  };
+  EXPECT_EQ(threads("001-0.1_ms"), "\"threads\": 2");
+  EXPECT_EQ(threads("002-0.2_ms"), "\"threads\": 1");
+}
+
 TEST_F(SweepCommand, MemberCasesRunAlone) {
   ASSERT_EQ(sweep().code, 1);
   auto const run =
