@@ -18,7 +18,7 @@ levels="
 3 terms walls bodies motion
 4 coupling probes
 5 step
-6 output setup report watch
+6 output setup report watch sweep
 7 app python bench verify
 "
 

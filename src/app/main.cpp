@@ -17,6 +17,7 @@
 #include "app/report_command.hpp"
 #include "app/slosh_command.hpp"
 #include "app/watch_command.hpp"
+#include "app/sweep_command.hpp"
 #include "base/input_error.hpp"
 #include "output/output_error.hpp"
 
@@ -36,6 +37,7 @@ struct Options {
   moraine::SloshOptions slosh;
   moraine::ReportCommandOptions report;
   moraine::WatchOptions watch;
+  moraine::SweepOptions sweep;
 };
 
 void add_run(CLI::App& app, Options& options) {
@@ -119,6 +121,7 @@ int dispatch(CLI::App const& app, Options const& options) {
   if (auto const code = moraine::run_slosh_command(app, options.slosh)) return *code;
   if (auto const code = moraine::run_report_command(app, options.report)) return *code;
   if (auto const code = moraine::run_watch_command(app, options.watch)) return *code;
+  if (auto const code = moraine::run_sweep_command(app, options.sweep)) return *code;
   if (app.got_subcommand("run")) return moraine::run_case(options.run);
   if (app.got_subcommand("resume")) return moraine::resume_run(options.resume);
   if (app.got_subcommand("preview")) return moraine::preview_case(options.preview);
@@ -150,6 +153,7 @@ int main(int argc, char** argv) {
   moraine::add_blast_command(app, options.blast);
   moraine::add_motion_command(app, options.motion);
   moraine::add_slosh_command(app, options.slosh);
+  moraine::add_sweep_command(app, options.sweep);
   try {
     check_command(app, argc, argv);
     app.parse(argc, argv);

@@ -21,15 +21,6 @@ constexpr double averaging_time = 3.0;    // s, of the rates
 constexpr double shortest_sample = 0.05;  // s, below which a rate is mostly noise
 constexpr std::size_t bar_width = 20;     // characters
 
-std::string duration(double seconds) {
-  if (!std::isfinite(seconds) || seconds > 1e8) return "-";
-  auto const total = static_cast<long>(std::ceil(seconds - 1e-3));  // less than rounding noise
-  long const hours = total / 3600, minutes = total / 60 % 60;
-  if (hours >= 48) return fmt::format("{} d {} h", hours / 24, hours % 24);
-  if (hours > 0) return fmt::format("{}:{:02}:{:02}", hours, minutes, total % 60);
-  return fmt::format("{}:{:02}", minutes, total % 60);
-}
-
 /// The longest beginning of UTF-8 text with at most `columns` characters.
 std::string_view cut(std::string_view text, std::size_t columns) {
   std::size_t count = 0;
@@ -41,6 +32,15 @@ std::string_view cut(std::string_view text, std::size_t columns) {
 }
 
 }  // namespace
+
+std::string duration(double seconds) {
+  if (!std::isfinite(seconds) || seconds > 1e8) return "-";
+  auto const total = static_cast<long>(std::ceil(seconds - 1e-3));  // less than rounding noise
+  long const hours = total / 3600, minutes = total / 60 % 60;
+  if (hours >= 48) return fmt::format("{} d {} h", hours / 24, hours % 24);
+  if (hours > 0) return fmt::format("{}:{:02}:{:02}", hours, minutes, total % 60);
+  return fmt::format("{}:{:02}", minutes, total % 60);
+}
 
 ProgressSink standard_progress_sink() {
   auto const seconds = [] {

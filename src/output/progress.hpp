@@ -11,6 +11,9 @@
 
 namespace moraine {
 
+/// "1:05" minutes, "2:10:00" hours, "3 d 4 h"; "-" for what is no time. Seconds are rounded up.
+std::string duration(double seconds);
+
 /// State of a run after a step. Times in s.
 struct ProgressReport {
   double time = 0.0;

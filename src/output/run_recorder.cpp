@@ -13,8 +13,6 @@
 #include "setup/used_case.hpp"
 
 namespace moraine {
-namespace {
-
 std::vector<TableColumn> sums_columns() {
   return {{"time", "s"},
           {"kinetic_energy", "J"},
@@ -38,6 +36,8 @@ std::vector<TableColumn> sums_columns() {
           {"penalty_energy", "J"},
           {"drift_work", "J"}};
 }
+
+namespace {
 
 template <class Name>
 std::vector<PvdEntry> frames_at(std::vector<double> const& times, Name&& name) {

@@ -18,6 +18,9 @@
 
 namespace moraine {
 
+/// Columns of the table of conserved sums.
+std::vector<TableColumn> sums_columns();
+
 /// Times at which something is due: multiples of an interval, listed times; every step when the
 /// interval is zero. A due time is met by the first step at or after it, so that output never
 /// changes a time step.

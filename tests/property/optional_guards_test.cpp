@@ -252,7 +252,8 @@ std::vector<std::string> shipped() {
   for (char const* const folder : {"cases", "starters"})
     for (auto const& entry : std::filesystem::recursive_directory_iterator(
              std::filesystem::path(source_folder()) / folder))
-      if (entry.path().extension() == ".toml") files.push_back(entry.path().string());
+      if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "sweeps")
+        files.push_back(entry.path().string());
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -77,6 +77,14 @@ std::string mark_text(Mark const& mark, bool decimal) {
 }
 
 Ticks ticks_of(Axis const& axis, int most) {
+  if (!axis.words.empty()) {
+    Ticks ticks;
+    for (std::string const& word : axis.words) {
+      ticks.values.push_back(static_cast<double>(ticks.values.size()));
+      ticks.labels.push_back(word);
+    }
+    return ticks;
+  }
   return axis.scale == Scale::linear ? round_ticks(axis.low, axis.high, most)
                                      : log_ticks(axis.low, axis.high, most);
 }
@@ -193,15 +201,24 @@ double Panel::y_label_room() const {
   return tick_gap + widest + 2.0 * label_offset + (lines - 1.0) * line_spacing;
 }
 
+double Panel::x_label_room() const {
+  double longest = 0.0;
+  for (std::string const& word : x_.words)
+    longest = std::max(longest, text_width(word, tick_style));
+  return longest + (longest > 0.0 ? tick_gap + 2.0 * label_offset : 38.0);
+}
+
 void Panel::draw_axes(Canvas& canvas, PanelText const& text, double room) const {
   canvas.outline(area_, ink, 0.7);
   TextStyle x_style = tick_style;
-  x_style.align = Align::center;
+  x_style.align = x_.words.empty() ? Align::center : Align::right;
+  x_style.upward = !x_.words.empty();
+  double const below = x_.words.empty() ? 10.0 : tick_gap;
   Ticks const along_x = x_ticks();
   for (std::size_t i = 0; i < along_x.values.size(); ++i) {
     double const x = page_x(along_x.values[i]);
     canvas.line(x, area_.bottom(), x, area_.bottom() + tick_length, ink, 0.7);
-    if (text.x_labels) canvas.text(x, area_.bottom() + 10.0, along_x.labels[i], x_style);
+    if (text.x_labels) canvas.text(x, area_.bottom() + below, along_x.labels[i], x_style);
   }
   TextStyle y_style = tick_style;
   y_style.align = Align::right;
@@ -214,7 +231,8 @@ void Panel::draw_axes(Canvas& canvas, PanelText const& text, double room) const 
   TextStyle style = label_style;
   style.align = Align::center;
   if (text.x_labels)
-    canvas.text(area_.left + area_.width / 2.0, area_.bottom() + 25.0, x_.label, style);
+    canvas.text(area_.left + area_.width / 2.0, area_.bottom() + x_label_room() - 13.0, x_.label,
+                style);
   style.upward = true;
   if (!text.y_labels) return;
   double x = area_.left - room + label_offset;

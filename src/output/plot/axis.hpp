@@ -33,6 +33,7 @@ struct Axis {
   double high = 1.0;
   std::string label;  // "Pressure (MPa)"
   Scale scale = Scale::linear;
+  std::vector<std::string> words{};  // where there are any: the texts at 0, 1, 2 ..., no numbers
 
   /// Where a value lies between the ends, 0 to 1; not finite for values that a logarithmic axis
   /// does not have.
@@ -83,6 +84,8 @@ class Panel {
   void draw_axes(Canvas& canvas, PanelText const& text, double room) const;
   /// Room that ticks and label need to the left of the area [pt].
   double y_label_room() const;
+  /// Room that ticks and label need below the area [pt].
+  double x_label_room() const;
 
  private:
   Ticks x_ticks() const;

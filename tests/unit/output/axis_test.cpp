@@ -135,5 +135,21 @@ TEST_F(LogPlot, FaintCurvesShapeNoAxis) {
   EXPECT_FALSE(draw("c.png", 4.5) == draw("d.png", 1e25));
 }
 
+TEST_F(LogPlot, WordsHaveRoomBelowThePanel) {
+  auto const room = [](std::vector<std::string> const& words) {
+    return Panel({0.0, 0.0, 100.0, 100.0}, {-0.5, 1.5, "kernel", Scale::linear, words}, {})
+        .x_label_room();
+  };
+  EXPECT_GT(room({"a", "a word of some length"}), room({"a", "b"}) + 50.0);
+  auto const draw = [&](char const* file, std::vector<std::string> const& words) {
+    Canvas canvas(path(file), 200.0, 200.0);
+    Panel const panel({50.0, 10.0, 100.0, 100.0}, {-0.5, 1.5, "kernel", Scale::linear, words}, {});
+    panel.draw_axes(canvas, {}, 40.0);
+    canvas.finish();
+    return bytes_of(path(file));
+  };
+  EXPECT_FALSE(draw("a.png", {"lucy", "dome"}) == draw("b.png", {"lucy", "done"}));
+}
+
 }  // namespace
 }  // namespace moraine::plot

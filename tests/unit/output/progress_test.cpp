@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 namespace moraine {
@@ -130,6 +131,14 @@ TEST(Progress, CountsTheWayFromTheFirstReport) {
   run.clock += 6.0;
   progress.update(report(750, 1000));
   EXPECT_NE(run.take().find(" 50 %"), std::string::npos);
+}
+
+TEST(Progress, DurationsAreRoundedUp) {
+  EXPECT_EQ(duration(0.0), "0:00");
+  EXPECT_EQ(duration(64.2), "1:05");
+  EXPECT_EQ(duration(7800.0), "2:10:00");
+  EXPECT_EQ(duration(76.0 * 3600.0), "3 d 4 h");
+  EXPECT_EQ(duration(std::numeric_limits<double>::infinity()), "-");
 }
 
 }  // namespace

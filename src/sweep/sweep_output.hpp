@@ -1,0 +1,56 @@
+// Numbers that are taken from the files of a run: of a gauge, of the conserved sums, of the run.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace moraine {
+
+/// What is taken of a column of readings.
+enum class Measure : std::uint8_t {
+  peak,
+  time_of_peak,
+  least,
+  time_of_least,
+  last,
+  integral,
+  impulse,
+  arrival
+};
+inline constexpr std::array<std::string_view, 8> measure_names{
+    "peak", "time_of_peak", "least", "time_of_least", "last", "integral", "impulse", "arrival"};
+
+/// What is taken of a run as a whole.
+enum class RunNumber : std::uint8_t { wall_time, steps, simulated_time, particles, energy_error };
+inline constexpr std::array<std::string_view, 5> run_number_names{
+    "wall_time", "steps", "simulated_time", "particles", "energy_error"};
+
+enum class OutputSource : std::uint8_t { gauge, sums, run };
+
+/// One number of a run.
+struct SweepOutput {
+  OutputSource from = OutputSource::gauge;
+  std::string gauge;                    // of gauges
+  std::string column;                   // of gauges and sums, as their tables name it
+  Measure measure = Measure::peak;      // of gauges and sums
+  RunNumber number = RunNumber::steps;  // of runs
+  std::string label;
+  std::string unit;
+};
+
+/// Unit of a measure of a column with this unit.
+std::string unit_of(Measure measure, std::string const& column_unit);
+std::string unit_of(RunNumber number);
+
+/// The numbers of a run that has ended, in the order of the outputs; not a number where the run has
+/// none, such as an arrival that did not come. `energy_error`: the largest change of the total
+/// energy over the largest change of its kinetic, internal or potential part. Throws
+/// std::runtime_error if a file is missing or malformed.
+std::vector<double> read_outputs(std::vector<SweepOutput> const& outputs,
+                                 std::filesystem::path const& folder);
+
+}  // namespace moraine
