@@ -16,8 +16,8 @@
 #include "app/motion_command.hpp"
 #include "app/report_command.hpp"
 #include "app/slosh_command.hpp"
-#include "app/watch_command.hpp"
 #include "app/sweep_command.hpp"
+#include "app/watch_command.hpp"
 #include "base/input_error.hpp"
 #include "output/output_error.hpp"
 

@@ -21,6 +21,7 @@
 #include "sweep/read_sweep.hpp"
 #include "sweep/run_members.hpp"
 #include "sweep/sweep_folder.hpp"
+#include "sweep/sweep_page.hpp"
 #include "sweep/sweep_plots.hpp"
 #include "sweep/sweep_results.hpp"
 
@@ -29,7 +30,7 @@ namespace {
 
 constexpr char const* examples =
     R"(The sweep file names a case, the keys that change, their values, and what is taken from each run;
-docs/sweeps.md describes it. Results go to FOLDER: sweep.csv, sweep.json, pictures in plots/, and a
+docs/sweeps.md describes it. Results go to FOLDER: sweep.html (the members beside each other), sweep.csv, sweep.json, pictures in plots/, and a
 folder with a run for each member. The same command goes on after a stop: members that are done are
 kept, others go on from their checkpoints.
 
@@ -194,7 +195,9 @@ class SweepRun {
         fmt::print("{} failed: {}\n", member.name, member.message);
     for (std::string const& name : strangers(members_, folder_))
       fmt::print("members/{} belongs to no member of this sweep; it is left as it is\n", name);
-    fmt::print("results in {}: sweep.csv, sweep.json, members/\n", folder_.string());
+    write_sweep_page(folder_, folder_ / "sweep.html");
+    fmt::print("results in {}: sweep.html (any browser), sweep.csv, sweep.json, members/\n",
+               folder_.string());
     for (auto const& file : plot_sweep(plan_, results_.table(), folder_ / "plots"))
       fmt::print("{}\n", file.string());
     if (!all) {

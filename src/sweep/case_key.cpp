@@ -109,6 +109,8 @@ std::variant<CaseKey, KeyMistake> find_key(std::string_view path, Case const& c)
         return key_of_item(path, section.section, gauge_entries(), c.gauges);
       case Section::stage:
         return key_of_item(path, section.section, stage_entries(), c.stages);
+      case Section::reference:
+        return key_of_item(path, section.section, reference_entries(), c.references);
       case Section::top:
         break;
     }

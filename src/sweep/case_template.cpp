@@ -70,7 +70,8 @@ class MovedFiles {
 
   void move(toml::table& root) {
     move_name(root.get_as<toml::table>("start"), "run", false);
-    for (char const* list : {"region", "wall"}) move_in_list(root.get_as<toml::array>(list));
+    for (char const* list : {"region", "wall", "reference"})
+      move_in_list(root.get_as<toml::array>(list));
   }
   std::string const& digests() const { return digests_; }
 
@@ -80,6 +81,7 @@ class MovedFiles {
     for (auto& node : *list) {
       auto* table = node.as_table();
       if (table == nullptr) continue;
+      move_name(table, "file", true);
       move_name(table->get_as<toml::table>("stl"), "file", true);
       move_name(table->get_as<toml::table>("motion"), "file", true);
       for (char const* inner : {"plus", "minus"}) move_in_list(table->get_as<toml::array>(inner));

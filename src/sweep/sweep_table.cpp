@@ -128,17 +128,21 @@ void write_sweep_csv(SweepTable const& table, std::vector<MemberCost> const& cos
   csv.commit();
 }
 
-void write_sweep_json(SweepTable const& table, std::vector<MemberCost> const& costs,
-                      std::filesystem::path const& file) {
+nlohmann::ordered_json sweep_json(SweepTable const& table, std::vector<MemberCost> const& costs) {
   Json members = Json::array();
   for (std::size_t i = 0; i < table.members.size(); ++i)
-    members.push_back(member_json(table.members[i], costs.at(i)));
-  Json const json{{"title", table.title},
-                  {"parameters", headings_json(table.parameters)},
-                  {"outputs", headings_json(table.outputs)},
-                  {"members", members}};
+    members.push_back(member_json(table.members[i], costs.empty() ? MemberCost{} : costs.at(i)));
+  return {{"title", table.title},
+          {"parameters", headings_json(table.parameters)},
+          {"outputs", headings_json(table.outputs)},
+          {"members", members}};
+}
+
+void write_sweep_json(SweepTable const& table, std::vector<MemberCost> const& costs,
+                      std::filesystem::path const& file) {
   AtomicFile out(file);
-  out.stream() << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  out.stream() << sweep_json(table, costs).dump(2, ' ', false, Json::error_handler_t::replace)
+               << '\n';
   out.commit();
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <variant>
@@ -50,6 +51,9 @@ void write_sweep_csv(SweepTable const& table, std::vector<MemberCost> const& cos
 /// Throws OutputError.
 void write_sweep_json(SweepTable const& table, std::vector<MemberCost> const& costs,
                       std::filesystem::path const& file);
+
+/// That object. Without `costs` none are told.
+nlohmann::ordered_json sweep_json(SweepTable const& table, std::vector<MemberCost> const& costs);
 
 /// Reads `sweep.json` in the folder of a sweep. Throws std::runtime_error if it is missing or
 /// malformed.
