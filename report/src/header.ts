@@ -65,7 +65,7 @@ function titleOf(app: App): string {
   return `${runs.length} runs: ${runs
     .map((run) => run.title || run.name)
     .slice(0, 4)
-    .join(", ")}${runs.length > 4 ? " …" : ""}`;
+    .join(" · ")}${runs.length > 4 ? " …" : ""}`;
 }
 
 function madeText(app: App): string {

@@ -27,7 +27,7 @@ test("curves with times of their own share one list of times", () => {
   const curves = [curve([0, 1, 2], [5, NaN, 7]), curve([0.5, 2], [1, 2])];
   assert.deepEqual(align(curves, false, false), [
     [0, 0.5, 1, 2],
-    [5, undefined, null, 7],
+    [5, null, null, 7],
     [undefined, 1, undefined, 2],
   ]);
   assert.deepEqual(align([curve([0, 1], [-1, 3])], true, true), [[1], [3]]);

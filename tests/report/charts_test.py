@@ -64,6 +64,35 @@ class ChartsTest(ChartTest):
             si(self.readings(chart)["H1 level"]), level(nearest_time(met)), delta=1e-6
         )
 
+    def test_no_line_crosses_a_hole(self):
+        for name in ("gauges", "overlaid"):
+            self.open(name)
+            chart = next(
+                c for c in self.charts() if "evel" in c.find_element(By.TAG_NAME, "h3").text
+            )
+            self.assertEqual([self.coloured(chart, 0.25), self.coloured(chart, 0.5)], [True, False])
+
+    def coloured(self, chart, share):
+        """Whether a column of pixels of the plotting area has any colour but grey."""
+        return self.run_script(
+            """const over = arguments[0].querySelector('.u-over').getBoundingClientRect();
+            const canvas = arguments[0].querySelector('canvas');
+            const edge = canvas.getBoundingClientRect();
+            const x = Math.round(over.left - edge.left + arguments[1] * over.width);
+            const top = over.top - edge.top;
+            const copy = new OffscreenCanvas(canvas.width, canvas.height);
+            const context = copy.getContext('2d', { willReadFrequently: true });
+            context.drawImage(canvas, 0, 0);
+            const { data } = context.getImageData(x, top, 1, over.height);
+            for (let i = 0; i < data.length; i += 4) {
+              const [low, , high] = [...data.slice(i, i + 3)].sort((a, b) => a - b);
+              if (data[i + 3] > 100 && high - low > 60) return true;
+            }
+            return false""",
+            chart,
+            share,
+        )
+
     def test_all_runs_are_drawn_over_each_other(self):
         self.open("overlaid")
         chart = self.pressure_chart()

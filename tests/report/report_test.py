@@ -1,6 +1,7 @@
 """What all tests share: one browser, the samples' pages, and the questions they ask of a page."""
 import json
 import pathlib
+import shutil
 import tempfile
 import time
 import unittest
@@ -31,6 +32,8 @@ class Shared:
         if cls.driver is not None:
             cls.driver.quit()
             cls.driver = None
+            for folder in (cls.pages, cls.downloads):
+                shutil.rmtree(folder, ignore_errors=True)
 
 
 class ReportTest(unittest.TestCase):

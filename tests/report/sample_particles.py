@@ -1,7 +1,7 @@
 """Reports with particles in one, two and three dimensions."""
 import math
 
-from report_writer import Blocks, page, quantise, report, run
+from report_writer import Blocks, column, page, quantise, report, run
 from sample_parts import common_parts
 from sample_report import gauges_table, sums_table
 
@@ -188,6 +188,35 @@ def line():
         "tube", "Shock tube", particles=cloud(1, box, 0.01, frames, 200, ""), **common_parts()
     )
     return page(report([made]), blocks, "Shock tube")
+
+
+def bare():
+    """As little as the format allows: one particle without fields, a row without a value."""
+    blocks = Blocks()
+    frames = [
+        {
+            "time_s": 0.0,
+            "count": count,
+            "id": blocks.add("c", range(count), "u32"),
+            "position": [blocks.add("c", [0] * count, "u16")] * 3,
+            "values": [],
+        }
+        for count in (1, 0)
+    ]
+    particles = cloud(3, (CUBE[0], CUBE[0]), 0.1, frames, 1, "")
+    particles.update(fields=[], materials=[], probes=[{"name": "P", "kind": "", "points": []}])
+    tables = [
+        {
+            "name": name,
+            "rows": rows,
+            "rows_of": rows,
+            "time": blocks.add("t", [0.0] * rows),
+            "columns": [column(blocks, "t", "a", gauge, "a", "J", "energy", [math.nan] * rows)],
+        }
+        for name, rows, gauge in (("gauges", 1, "P"), ("sums", 0, ""))
+    ]
+    made = run("bare", "", particles=particles, tables=tables, end_reason="")
+    return page(report([made]), blocks, "bare")
 
 
 MANY_NOTE = "20 000 of 1 000 000 particles, 40 of 200 frames"

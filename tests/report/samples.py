@@ -8,6 +8,7 @@ SAMPLES = {
     "overlaid": sample_report.overlaid,
     "hostile": sample_report.hostile,
     "plane": sample_particles.plane,
+    "bare": sample_particles.bare,
     "cube": sample_particles.cube,
     "line": sample_particles.line,
     "many": sample_particles.many,

@@ -29,9 +29,23 @@ export function align(curves: Curve[], isLogX: boolean, isLogY: boolean): Aligne
       const row = rowOf.get(x[i]);
       if (row !== undefined) column[row] = isDrawable(y[i], isLogY) ? y[i] : null;
     }
+    widenHoles(column);
     return column;
   });
   return [times, ...columns];
+}
+
+/** Times of other curves beside a hole belong to it: the line must not show between them. */
+function widenHoles(column: (number | null | undefined)[]): void {
+  const from = (first: number, step: number) => {
+    let isHole = false;
+    for (let i = first; i >= 0 && i < column.length; i += step) {
+      if (column[i] === undefined && isHole) column[i] = null;
+      isHole = column[i] === null;
+    }
+  };
+  from(0, 1);
+  from(column.length - 1, -1);
 }
 
 function isOneList(curves: Curve[], times: number[]): boolean {

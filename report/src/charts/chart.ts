@@ -196,8 +196,9 @@ export class Chart {
     const log = this.options.isLogY
       ? "Zero and negative values have no place on a logarithmic axis. "
       : "";
-    const notes = [...new Set(this.curves.map((curve) => curve.note))].join("");
-    this.hint.textContent = this.curves.length === 0 ? "Choose curves." : log + notes;
+    const thinned = [...new Set(this.curves.map(({ note }) => note))].filter(Boolean).join(", ");
+    const rows = thinned && `Rows in this page: ${thinned}, extremes kept.`;
+    this.hint.textContent = this.curves.length === 0 ? "Choose curves." : log + rows;
   }
 
   private height(): number {

@@ -14,7 +14,7 @@ export interface Curve {
   /** Measured values and the like: dots instead of a line. */
   isDots: boolean;
   source: string;
-  /** What was left out of it, or "". */
+  /** "101 of 404" rows where rows were left out, or "". */
   note: string;
   x: ArrayLike<number>;
   y: ArrayLike<number>;
@@ -59,10 +59,7 @@ async function columnCurve(app: App, run: Run, table: Table, column: Column): Pr
     app.blocks.numbers(table.time),
     app.blocks.numbers(column.data),
   ]);
-  const note =
-    table.rows_of > table.rows
-      ? `${table.rows} of ${table.rows_of} rows are in this page, extremes kept. `
-      : "";
+  const note = table.rows_of > table.rows ? `${table.rows} of ${table.rows_of}` : "";
   const common = {
     run,
     key: columnKey(table.name, column.label),

@@ -51,12 +51,13 @@ class Scene implements ParticleScene {
   setBox(box: SceneBox): void {
     const extents = box.max.map((max, i) => max - box.min[i]);
     const centre = box.min.map((min, i) => min + 0.5 * extents[i]);
-    this.unit = 1 / Math.max(...extents, 1e-30);
+    this.unit = 1 / Math.max(...extents, box.spacing, 1e-30);
     this.toWorld
       .makeScale(this.unit, this.unit, this.unit)
       .multiply(new Matrix4().makeTranslation(-centre[0], -centre[1], -centre[2]));
-    const scaled = { ...box, min: this.place(box.min), max: this.place(box.max) };
     this.spacing = box.spacing * this.unit;
+    const [min, max] = [this.place(box.min), this.place(box.max)];
+    const scaled = { ...box, min, max, spacing: this.spacing };
     this.view.setBox(scaled);
     for (const dots of [this.particles, this.walls]) dots.setBox(scaled);
     this.lines.setBox(scaled);

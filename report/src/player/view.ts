@@ -50,7 +50,8 @@ export class View {
   setBox(box: SceneBox): void {
     const [min, max] = [new Vector3(...box.min), new Vector3(...box.max)];
     this.centre.addVectors(min, max).multiplyScalar(0.5);
-    this.size.subVectors(max, min);
+    // A single particle has no extent but its own.
+    this.size.subVectors(max, min).max(new Vector3().setScalar(box.spacing));
     if (!this.hasView) this.reset(-1);
     else if (this.untouchedAxis !== null) this.reset(this.untouchedAxis);
   }
