@@ -26,8 +26,8 @@ void make_run_folder(std::filesystem::path const& folder);
 std::string frame_name(std::size_t number);
 std::string wall_frame_name(std::size_t number);
 
-/// Removes the frames from this number on, and the pictures and the snapshot that were made of
-/// them. Throws OutputError.
+/// Removes the frames from this number on with the planes of their times, and the pictures and the
+/// snapshot that were made of them. Throws OutputError.
 void drop_frames(std::filesystem::path const& folder, std::size_t first);
 
 }  // namespace moraine

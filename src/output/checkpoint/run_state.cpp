@@ -16,7 +16,7 @@ namespace moraine {
 namespace {
 
 // Counts up with every change of what is saved, or of what it means for the steps that follow.
-constexpr std::uint64_t layout = 4;
+constexpr std::uint64_t layout = 5;
 
 }  // namespace
 
