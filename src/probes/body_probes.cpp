@@ -36,22 +36,42 @@ PlaceBox box_around(BodyView const& view, PlaceBox const& within) {
   return box;
 }
 
+/// Upper end of a particle above the base.
+double end_above(ParticleStore const& store, std::size_t i, DepositFrame const& frame) {
+  return frame.up.height(particle_place(store, i)) + 0.5 * size_of_particle(store, i) - frame.base;
+}
+
+double highest_end(ParticleStore const& store, std::span<std::uint8_t const> members,
+                   DepositFrame const& frame) {
+  double highest = -infinity;
+  for (std::size_t i = 0; i < members.size(); ++i)
+    if (members[i] != 0) highest = std::max(highest, end_above(store, i, frame));
+  return highest;
+}
+
+/// The farthest end of the particles that reach this height above the base.
+double farthest_end(ParticleStore const& store, std::span<std::uint8_t const> members,
+                    DepositFrame const& frame, double height) {
+  double farthest = -infinity;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (members[i] == 0 || end_above(store, i, frame) < height) continue;
+    Vec3 away = subtract(particle_place(store, i), frame.origin);
+    away[frame.up.axis] = 0.0;
+    double const distance = frame.along ? frame.along->height(away) : norm(away);
+    farthest = std::max(farthest, distance + 0.5 * size_of_particle(store, i));
+  }
+  return farthest;
+}
+
 }  // namespace
 
 DepositReading probe_deposit(ParticleStore const& store, std::span<std::uint8_t const> members,
                              DepositFrame const& frame) {
-  DepositReading reading{-infinity, -infinity};
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    if (members[i] == 0) continue;
-    double const half = 0.5 * size_of_particle(store, i);
-    Vec3 const x = particle_place(store, i);
-    Vec3 away = subtract(x, frame.origin);
-    away[frame.up.axis] = 0.0;
-    double const distance = frame.along ? frame.along->height(away) : norm(away);
-    reading.run_out = std::max(reading.run_out, distance + half);
-    reading.height = std::max(reading.height, frame.up.height(x) + half - frame.base);
-  }
-  return reading.run_out == -infinity ? DepositReading{nothing, nothing} : reading;
+  double const highest = highest_end(store, members, frame);
+  if (highest == -infinity) return {nothing, nothing, nothing};
+  double const run_out = farthest_end(store, members, frame, -infinity);
+  double const half = 0.5 * highest;
+  return {run_out, highest, std::atan2(half, run_out - farthest_end(store, members, frame, half))};
 }
 
 BubbleReading probe_bubble(ParticleStore const& store, Selection const& gas, int copies) {

@@ -17,13 +17,16 @@ struct DepositFrame {
 };
 
 struct DepositReading {
-  double run_out;  // m
-  double height;   // m
+  double run_out;      // m
+  double height;       // m
+  double front_angle;  // rad, against the horizontal
 };
 
 /// Run-out: the farthest end of a particle of the body from the origin, along the axis or by the
 /// horizontal distance; height: the highest end above the base. A particle ends half its size
-/// (size_of_particle) from its place. Not numbers where the body has no particle.
+/// (size_of_particle) from its place. Front angle: of the line from the front at the base to the
+/// farthest end of what reaches half the height, atan(height / 2 / (run_out - reach_half)); pi / 2
+/// for an upright front. Not numbers where the body has no particle.
 DepositReading probe_deposit(ParticleStore const& store, std::span<std::uint8_t const> members,
                              DepositFrame const& frame);
 

@@ -78,7 +78,8 @@ class MeasureCheck {
 
   void check_dimension(std::string_view what) {
     if (case_.dimension == 1)
-      source_.report_value(key_ + "kind", fmt::format("is {}, which 1D does not have", what));
+      source_.report_value(key_ + "kind", fmt::format("is {}, which 1D does not have", what),
+                           "compute in 2D or 3D");
   }
 
   void check_deposit() {
@@ -126,7 +127,7 @@ class MeasureCheck {
   }
 
   void check_plane() {
-    check_dimension("a plane");
+    if (case_.dimension == 1) return check_dimension("a plane");
     for (char const letter : name_)
       if (!(std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_' ||
             letter == '-') &&

@@ -67,13 +67,14 @@ GaugeReader deposit_reader(Case const& c, GaugeSpec const& gauge) {
                                                                 std::vector<double>& row) {
     ConnectedBody const body = bulk_of(at.simulation, selection);
     DepositReading const deposit = probe_deposit(at.simulation.particles(), body.members, frame);
-    row.insert(row.end(), {deposit.run_out, deposit.height, static_cast<double>(body.detached),
-                           body.detached_share()});
+    row.insert(row.end(), {deposit.run_out, deposit.height, deposit.front_angle,
+                           static_cast<double>(body.detached), body.detached_share()});
     return body.particles > 0;
   };
   return {name,
           {{name + " run_out", "m"},
            {name + " height", "m"},
+           {name + " front_angle", "rad"},
            {name + " detached_particles", ""},
            {name + " detached_share", ""}},
           read};

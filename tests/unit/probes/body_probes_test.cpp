@@ -29,6 +29,7 @@ TEST(DepositProbe, ABoxEndsAtItsFaces) {
   auto const right = probe_deposit(run.particles(), members, frame);
   EXPECT_NEAR(right.run_out, 0.4, 1e-6);
   EXPECT_NEAR(right.height, 0.12, 1e-6);
+  EXPECT_NEAR(right.front_angle, 0.5 * std::numbers::pi, 1e-4);
   frame.along->sign = -1.0;
   EXPECT_NEAR(probe_deposit(run.particles(), members, frame).run_out, 0.0, 1e-6);
   frame.base = -0.5;
@@ -43,6 +44,20 @@ TEST(DepositProbe, RoundAboutCountsTheHorizontalDistance) {
       probe_deposit(run.particles(), members, {{2, 1.0}, 0.0, {0.0, 0.0, 9.0}, std::nullopt});
   EXPECT_NEAR(round.run_out, std::hypot(0.19, 0.09) + 0.01, 1e-6);
   EXPECT_NEAR(round.height, 0.1, 1e-6);
+}
+
+// Of a heap with slopes of 1 in 2, half a spacing at both ends of the line: 1 in 2 up to spacing by
+// half the height.
+TEST(DepositProbe, AHeapHasTheSlopeOfItsFront) {
+  Case c = ground_case(2, spacing, 0.4, 0.0, 0.2, 0.1);
+  Simulation const run(carved(c, 0.2, [](double r) { return 0.15 - 0.5 * r; }));
+  ParticleStore const& store = run.particles();
+  auto const body =
+      connected_body(store, run.search(), c.numerics.smoothing_length(), Selection{}.of(store));
+  auto const heap = probe_deposit(store, body.members, {{1, 1.0}, 0.0, Vec3{}, Upwards{0, 1.0}});
+  EXPECT_NEAR(heap.run_out, 0.3, spacing);
+  EXPECT_NEAR(heap.height, 0.15, spacing);
+  EXPECT_NEAR(std::tan(heap.front_angle), 0.5, spacing / 0.075);
 }
 
 TEST(DepositProbe, OfNothingIsNoNumber) {

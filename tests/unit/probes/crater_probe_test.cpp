@@ -61,19 +61,19 @@ Found find(int dimension, double spacing, double (*height)(double), bool half = 
 
 class Crater : public testing::TestWithParam<int> {};
 
-// Lattice rows lie up to half a spacing from the true surface; the mean over it errs less. The
-// volume errs by a tenth of a spacing over the plan of the crater, 5 % and 2.5 % of it.
+// Rows of the lattice lie up to half a spacing from the true surface, which has a slope of 1 at
+// the edge: so does the radius. Over the whole surface this averages out, and the volume errs by 5
+// % and 2.5 % at most, with 10 and 20 spacings per radius.
 TEST_P(Crater, IsMeasuredToASpacing) {
   int const dimension = GetParam();
   for (double const spacing : {0.02, 0.01}) {
     auto const [crater, body] = find(dimension, spacing, rimmed);
-    EXPECT_NEAR(crater.apparent_diameter, 2.0 * radius, spacing);
+    EXPECT_NEAR(0.5 * crater.apparent_diameter, radius, 0.6 * spacing);
     EXPECT_NEAR(crater.depth, depth, 0.5 * spacing);
     EXPECT_NEAR(crater.rim_height, rim, 0.75 * spacing);
-    EXPECT_NEAR(crater.rim_diameter, 2.0 * radius * std::sqrt(1.0 + rim / depth), 2.0 * spacing);
+    EXPECT_NEAR(crater.rim_diameter, 2.0 * radius * std::sqrt(1.0 + rim / depth), 1.5 * spacing);
     EXPECT_NEAR(crater.volume / exact_volume(dimension), 1.0, 2.5 * spacing);
     EXPECT_EQ(body.detached, dimension == 3 ? 125U : 25U);
-    if (dimension == 3) break;
   }
 }
 

@@ -152,6 +152,45 @@ TEST(BadMeasures, ObliqueGravityNeedsADirection) {
   EXPECT_EQ(message_of(rise + "up = \"y+\"\n", "[1, -10]"), "no error");
 }
 
+/// The message of a gauge in a domain of another dimension, without gravity.
+std::string message_in(int dimension, std::string const& gauge) {
+  std::string const low = dimension == 1 ? "[0]" : "[0, 0, 0]";
+  std::string const high = dimension == 1 ? "[1]" : "[1, 1, 1]";
+  try {
+    parse_case("space = { dimension = " + std::to_string(dimension) + ", domain = { min = " + low +
+                   ", max = " + high + " } }\nresolution.spacing = 0.1\ntime.end = 1\n" +
+                   "material.soil = { eos = \"tait\" }\n[[region]]\nname = \"a\"\n" +
+                   "material = \"soil\"\nbox = { min = " + low + ", max = " + high + " }\n" +
+                   "[[gauge]]\nname = \"probe\"\n" + gauge,
+               "case.toml");
+  } catch (InputErrors const& errors) {
+    return errors.what();
+  }
+  return "no error";
+}
+
+TEST(BadMeasures, PlanesAreFlatAlongOneAxisIn3D) {
+  std::string const plane = "kind = \"plane\"\nplane = { min = [0, 0, 0], max = ";
+  EXPECT_EQ(message_in(3, plane + "[1, 0, 1], step = 0.1 }\n"), "no error");
+  EXPECT_EQ(message_in(3, plane + "[1, 1, 1], step = 0.1 }\n"),
+            "case.toml:12:34: gauge.probe.plane.max: [1, 1, 1] agrees with min along 0 axes; it "
+            "must along one");
+  EXPECT_EQ(message_in(3, plane + "[1, 0, 0], step = 0.1 }\n"),
+            "case.toml:12:34: gauge.probe.plane.max: [1, 0, 0] agrees with min along 2 axes; it "
+            "must along one");
+}
+
+TEST(BadMeasures, OneDimensionHasNoCratersAndPlanes) {
+  EXPECT_EQ(message_in(1,
+                       "kind = \"crater\"\nmaterials = [\"soil\"]\n"
+                       "crater = { level = 1, center = [0.5] }\n"),
+            "case.toml:11:8: gauge.probe.kind: \"crater\" is a crater, which 1D does not have; "
+            "compute in 2D or 3D");
+  EXPECT_EQ(message_in(1, "kind = \"plane\"\nplane = { min = [0], max = [1], step = 0.1 }\n"),
+            "case.toml:11:8: gauge.probe.kind: \"plane\" is a plane, which 1D does not have; "
+            "compute in 2D or 3D");
+}
+
 TEST(BadMeasures, APlaneNamesFiles) {
   std::string text =
       text_of("kind = \"plane\"\nplane = { min = [0, 0], max = [1, 1], step = 0.1 }\n",
