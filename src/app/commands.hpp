@@ -43,6 +43,15 @@ struct PlotOptions {
 };
 int plot_folder(PlotOptions const& options);
 
+struct SurfaceOptions {
+  std::string folder;
+  int frame = -1;  // -1: the last one
+  bool all = false;
+  std::string material;  // empty: all
+  double share = 0.5;
+};
+int draw_surfaces(SurfaceOptions const& options);
+
 struct BenchOptions {
   std::vector<std::string> names;  // empty: the usual workloads
   bool list = false;

@@ -28,6 +28,7 @@ struct Options {
   moraine::ResumeOptions resume;
   moraine::PreviewOptions preview;
   moraine::PlotOptions plot;
+  moraine::SurfaceOptions surface;
   moraine::BenchOptions bench;
   moraine::VerifyOptions verify;
   moraine::ExactOptions exact;
@@ -70,6 +71,24 @@ void add_plot(CLI::App& app, Options& options) {
   auto* command = app.add_subcommand("plot", "draw gauges, sums and particle frames of a run");
   command->add_option("folder", options.plot.folder, "folder of a run")->required();
   command->add_option("--field", options.plot.field, "field that colours the particles")
+      ->capture_default_str();
+}
+
+void add_surface(CLI::App& app, Options& options) {
+  auto* command = app.add_subcommand(
+      "surface", "write the free surface of frames of a run: triangles in 3D, lines in 2D");
+  command->add_option("folder", options.surface.folder, "folder of a run")->required();
+  auto* frame = command
+                    ->add_option("--frame", options.surface.frame,
+                                 "number of the frame, from 0 (default: the last one)")
+                    ->check(CLI::NonNegativeNumber);
+  command->add_flag("--all", options.surface.all, "all frames")->excludes(frame);
+  command->add_option("--material", options.surface.material,
+                      "particles of this material only (default: of all)");
+  command
+      ->add_option("--share", options.surface.share,
+                   "share of the kernel that is filled with particles at the surface")
+      ->check(CLI::Range(0.01, 0.99))
       ->capture_default_str();
 }
 
@@ -125,6 +144,7 @@ int dispatch(CLI::App const& app, Options const& options) {
   if (app.got_subcommand("run")) return moraine::run_case(options.run);
   if (app.got_subcommand("resume")) return moraine::resume_run(options.resume);
   if (app.got_subcommand("preview")) return moraine::preview_case(options.preview);
+  if (app.got_subcommand("surface")) return moraine::draw_surfaces(options.surface);
   if (app.got_subcommand("bench")) return moraine::run_bench(options.bench);
   if (app.got_subcommand("verify")) return moraine::run_verify(options.verify);
   if (app.got_subcommand("exact")) return moraine::run_exact(options.exact);
@@ -144,6 +164,7 @@ int main(int argc, char** argv) {
   add_resume(app, options);
   add_preview(app, options);
   add_plot(app, options);
+  add_surface(app, options);
   add_bench(app, options);
   add_verify(app, options);
   moraine::add_report_command(app, options.report);

@@ -22,6 +22,13 @@ bool assigns(std::string_view text) {
   return false;
 }
 
+/// muParser names the place in some of its messages only.
+std::string with_position(mu::ParserError const& error) {
+  std::string const message = error.GetMsg();
+  bool const told = message.find("position") != std::string::npos || error.GetPos() < 0;
+  return told ? message : message + " at position " + std::to_string(error.GetPos());
+}
+
 }  // namespace
 
 struct Formula::Parts {
@@ -43,10 +50,21 @@ Formula::Formula(std::string const& text, std::vector<std::string> const& variab
     parser.SetExpr(text);
     parser.Eval();
   } catch (mu::ParserError const& error) {
-    throw std::invalid_argument(error.GetMsg());
+    throw std::invalid_argument(with_position(error));
   }
   if (parser.GetNumResults() != 1)
     throw std::invalid_argument("several formulas where one is expected");
+}
+
+std::vector<std::string> const& Formula::built_in_names() {
+  static std::vector<std::string> const names = [] {
+    std::vector<std::string> all{"pi", "e", "g0"};
+    mu::Parser const parser;
+    for (auto const& [name, ignored] : parser.GetFunDef()) all.push_back(name);
+    for (auto const& [name, ignored] : parser.GetConst()) all.push_back(name);
+    return all;
+  }();
+  return names;
 }
 
 double Formula::operator()(std::span<double const> values) const {

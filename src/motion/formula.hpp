@@ -16,6 +16,9 @@ class Formula {
   /// Throws std::invalid_argument, with the place in the text, where it is no such formula.
   Formula(std::string const& text, std::vector<std::string> const& variables);
 
+  /// Names of all functions and constants that any formula may use.
+  static std::vector<std::string> const& built_in_names();
+
   /// `values` in the order of the variables, none may be missing.
   double operator()(std::span<double const> values) const;
 

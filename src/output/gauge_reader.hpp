@@ -1,7 +1,10 @@
 // How each kind of gauge is read: its columns, and its values at one time.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,12 +27,21 @@ struct ReadingContext {
   bool loads_known = false;
 };
 
+/// Columns of pressure whose peaks belong to distances, for a power law.
+struct Decay {
+  std::vector<double> distances;     // m
+  std::vector<std::size_t> columns;  // of the gauge
+};
+
 /// One gauge. `read` appends one value per column and returns whether the gauge saw anything: a
 /// particle, a wet wall, a surface.
 struct GaugeReader {
   std::string name;
   std::vector<TableColumn> columns;
   std::function<bool(ReadingContext const&, std::vector<double>&)> read;
+  /// What `read` remembers from reading to reading, if anything: a checkpoint keeps it.
+  std::shared_ptr<std::vector<double>> memory{};
+  std::optional<Decay> decay{};
 };
 
 /// The reader of a gauge of this case, whose names are known to be good.

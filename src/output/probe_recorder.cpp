@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "output/atomic_file.hpp"
+#include "probes/decay_fit.hpp"
 
 namespace moraine {
 namespace {
@@ -34,8 +35,22 @@ nlohmann::ordered_json summary_of(TableColumn const& column, ReadingSummary cons
                               {"time_of_smallest", number_or_null(summary.time_of_smallest())},
                               {"integral_over_time", number_or_null(summary.integral())}};
   if (is_pressure(column)) json["impulse"] = number_or_null(summary.rise_integral());
-  if (is_pressure(column) && with_arrival) json["arrival"] = number_or_null(summary.arrival());
+  if (is_pressure(column) && with_arrival) {
+    json["arrival"] = number_or_null(summary.arrival());
+    json["duration"] = number_or_null(summary.duration());
+  }
   return json;
+}
+
+/// Of the largest rises of the columns, given by the first summary of the gauge.
+nlohmann::ordered_json decay_of(Decay const& decay, ReadingSummary const* summaries) {
+  std::vector<double> rises;
+  for (std::size_t const column : decay.columns)
+    rises.push_back(summaries[column].largest() - summaries[column].first());
+  DecayFit const fit = fit_decay(decay.distances, rises);
+  return {{"exponent", number_or_null(fit.exponent)},
+          {"points", fit.points},
+          {"scatter", number_or_null(fit.scatter)}};
 }
 
 }  // namespace
@@ -103,11 +118,14 @@ void ProbeRecorder::write_summary(std::filesystem::path const& path) const {
   auto gauges = nlohmann::ordered_json::array();
   std::size_t column = 0;
   for (std::size_t k = 0; k < readers_.size(); ++k) {
-    nlohmann::ordered_json quantities;
+    auto quantities = nlohmann::ordered_json::object();
+    std::size_t const first = column;
     for (TableColumn const& heading : readers_[k].columns)
       quantities[heading.name] = summary_of(heading, summaries_[column++], rise_.has_value());
     gauges.push_back(
         {{"name", readers_[k].name}, {"seen", seen_[k] != 0}, {"columns", quantities}});
+    if (readers_[k].decay)
+      gauges.back()["decay"] = decay_of(*readers_[k].decay, summaries_.data() + first);
   }
   AtomicFile file(path);
   file.stream() << nlohmann::ordered_json{{"gauges", gauges}}.dump(2) << '\n';
@@ -121,6 +139,9 @@ void ProbeRecorder::exchange(Archive& archive) {
     throw std::runtime_error("the saved state does not belong to the gauges of this case");
   for (std::size_t k = 0; k < summaries_.size(); ++k)
     summaries_[k].exchange(archive, fmt::format("gauges/column_{}", k + 1));
+  for (std::size_t k = 0; k < readers_.size(); ++k)
+    if (readers_[k].memory)
+      archive.array(fmt::format("gauges/memory_{}", k + 1), "", *readers_[k].memory);
   if (reads_budget_) budget_.exchange(archive);
   if (envelope_) envelope_->exchange(archive);
 }

@@ -19,7 +19,8 @@ std::vector<TableColumn> columns_of(Case const& c, std::string const& gauge_name
 }
 
 bool is_of_pressures(ReadingMeasure measure) {
-  return measure == ReadingMeasure::arrival || measure == ReadingMeasure::impulse;
+  return measure == ReadingMeasure::arrival || measure == ReadingMeasure::duration ||
+         measure == ReadingMeasure::impulse;
 }
 
 /// Names of columns without that of their gauge: "pressure", and "[3] pressure" of a line.

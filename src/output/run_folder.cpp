@@ -10,8 +10,10 @@
 #include "output/atomic_file.hpp"
 #include "output/bad_frame.hpp"
 #include "output/checkpoint/checkpoints.hpp"
+#include "output/free_surface/surfaces_of_run.hpp"
 #include "output/kept_files.hpp"
 #include "output/output_error.hpp"
+#include "output/plane_recorder.hpp"
 #include "output/plot/plot.hpp"
 
 namespace moraine {
@@ -74,7 +76,9 @@ void drop_frames(std::filesystem::path const& folder, std::size_t first) {
     return std::regex_match(name, particles) && "frames/" + name >= frame_name(first);
   });
   if (first == 0) remove_file(folder / "walls.pvd");
+  drop_planes(folder, first);
   remove_files(folder / "plots", is_picture_of_run);
+  remove_files(folder / "surfaces", is_surface_of_run);
   drop_bad_frame(folder);
 }
 

@@ -71,6 +71,7 @@ RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::files
       folder_(std::move(folder)),
       frames_(folder_ / "particles.pvd"),
       wall_frames_(folder_ / "walls.pvd"),
+      planes_(c, folder_),
       probes_(c),
       gauges_(folder_ / "gauges.csv", probes_.columns()),
       sums_(folder_ / "sums.csv", sums_columns()),
@@ -104,6 +105,7 @@ RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::files
       manifest_(saved.manifest),
       frames_(folder_ / "particles.pvd", frames_at(saved.frame_times, frame_name)),
       wall_frames_(folder_ / "walls.pvd", frames_at(saved.frame_times, wall_frame_name)),
+      planes_(c, folder_, saved.frame_times),
       probes_(c),
       gauges_(folder_ / "gauges.csv", probes_.columns(), saved.gauges_size),
       sums_(folder_ / "sums.csv", sums_columns(), saved.sums_size),
@@ -116,6 +118,7 @@ RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::files
   drop_frames(folder_, saved.frame_times.size());
   frames_.write();
   if (simulation.model().walls.move()) wall_frames_.write();
+  planes_.write_collections();
   manifest_.resumed_at_steps.push_back(simulation.step());
   manifest_.stages = simulation.stage_events();
   write_start(threads);
@@ -155,6 +158,7 @@ void RunRecorder::sync() {
     if (synced_frames_ < wall_frames_.entries().size())
       sync_to_disk(folder_ / wall_frame_name(synced_frames_));
   }
+  planes_.sync();
   for (auto const& folder : {folder_ / "frames", folder_}) sync_to_disk(folder);
 }
 
@@ -241,6 +245,7 @@ void RunRecorder::write_frame(Simulation const& simulation) {
   std::string const name = frame_name(number);
   write_vtp(folder_ / name, simulation.particles(), Kind::fluid, simulation.time(),
             probes_.envelopes());
+  planes_.write(simulation);
   frames_.add(simulation.time(), name);
 }
 

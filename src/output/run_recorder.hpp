@@ -8,6 +8,7 @@
 #include "base/archive.hpp"
 #include "base/timer.hpp"
 #include "output/manifest.hpp"
+#include "output/plane_recorder.hpp"
 #include "output/probe_recorder.hpp"
 #include "output/pvd_collection.hpp"
 #include "output/table_csv.hpp"
@@ -118,6 +119,7 @@ class RunRecorder {
   Manifest manifest_;
   PvdCollection frames_;
   PvdCollection wall_frames_;  // where walls move
+  PlaneRecorder planes_;
   ProbeRecorder probes_;
   TableCsv gauges_;
   TableCsv sums_;

@@ -9,7 +9,7 @@
 namespace moraine {
 namespace {
 
-Vec3 place_of(ParticleStore const& store, std::size_t i) {
+Vec3 particle_place(ParticleStore const& store, std::size_t i) {
   Vec3 place{};
   for (int axis = 0; axis < store.dimension(); ++axis)
     place[static_cast<std::size_t>(axis)] = store.component(Field::position, axis)[i];
@@ -45,7 +45,7 @@ void add_mirror_forces(WallSurroundings const& at, WallPart const& part, FacePar
   WallFace const& face = at.walls.faces[face_part.face];
   if (!face.mirror) return;
   for (MirrorLoad const& load : at.mirror_loads) {
-    Vec3 const place = place_of(at.store, load.particle);
+    Vec3 const place = particle_place(at.store, load.particle);
     if (is_on(face_part, face, nullptr, place, at.store.dimension()))
       add_force(at, part, place, load.force[2 * face.axis + face.end], reading);
   }
@@ -57,7 +57,7 @@ void add_push_forces(WallSurroundings const& at, WallPart const& part, FacePart 
   if (!(face.repulsion.strength > 0.0)) return;
   auto const mass = at.store.scalar(Field::mass);
   for (std::size_t i = 0; i < at.store.range(Kind::fluid).size(); ++i) {
-    Vec3 const place = place_of(at.store, i);
+    Vec3 const place = particle_place(at.store, i);
     PushOnParticle const push = push_of(at.walls, face, at.store.dimension(), place);
     if (push.stiffness != 0.0 &&
         is_on(face_part, face, motion_of(at, face), place, at.store.dimension()))
@@ -76,7 +76,7 @@ SpotState look_from(WallSurroundings const& at, Vec3 const& spot, Vec3 const& gr
   double const reach = std::max(kernel_support * at.smoothing_length, at.search.largest_support());
   auto const include = [&](std::size_t i, Search::Viewpoint const& from) {
     if (from.sign != Vec3{1.0, 1.0, 1.0}) return;  // images show nothing that is not linear
-    Vec3 const apart = subtract(from.place, place_of(at.store, i));
+    Vec3 const apart = subtract(from.place, particle_place(at.store, i));
     double const h =
         varies ? std::max(at.store.scalar(Field::smoothing_length)[i], at.smoothing_length)
                : at.smoothing_length;

@@ -6,30 +6,12 @@
 #include <vector>
 
 #include "base/bisect.hpp"
-#include "probes/kernel_shape.hpp"
+#include "probes/filled_share.hpp"
 
 namespace moraine {
 namespace {
 
 constexpr double least_filling = 0.1;  // below it there is no fluid on the line
-
-double filled_share(ParticleStore const& store, Search const& search, KernelName kernel, double h,
-                    Vec3 const& x) {
-  double sum = 0.0;
-  search.for_each_fluid_near(
-      x, kernel_support * h, [&](std::size_t i, Search::Viewpoint const& from) {
-        double distance2 = 0.0;
-        for (int axis = 0; axis < store.dimension(); ++axis) {
-          double const d = from.place[static_cast<std::size_t>(axis)] -
-                           store.component(Field::position, axis)[i];
-          distance2 += d * d;
-        }
-        if (distance2 < kernel_support * kernel_support * h * h)
-          sum += store.scalar(Field::mass)[i] / store.scalar(Field::density)[i] *
-                 kernel_shape(kernel, store.dimension(), std::sqrt(distance2) / h);
-      });
-  return sum * kernel_sigma(kernel, store.dimension()) / std::pow(h, store.dimension());
-}
 
 }  // namespace
 
@@ -39,7 +21,8 @@ double probe_level(ParticleStore const& store, Search const& search, KernelName 
   double const length = norm(along);
   Vec3 const direction = scale(1.0 / length, along);
   auto const share = [&](double s) {
-    return filled_share(store, search, kernel, h, add(line.from, scale(s, direction)));
+    return filled_share(store, search, kernel, h, add(line.from, scale(s, direction)),
+                        [](std::size_t) { return true; });
   };
   auto const steps = static_cast<std::size_t>(std::ceil(length / (0.25 * h)));
   double const step = length / static_cast<double>(steps);

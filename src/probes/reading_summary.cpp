@@ -20,6 +20,7 @@ void ReadingSummary::add(double time, double value) {
   if (value > largest_) {
     largest_ = value;
     time_of_largest_ = time;
+    fall_back_ = nothing;
   }
   if (value < smallest_) {
     smallest_ = value;
@@ -34,12 +35,15 @@ void ReadingSummary::add(double time, double value) {
     double const rise = value - before;
     arrival_ = joined ? time - dt * (value - first_ - rise_) / rise : time;
   }
+  // After an arrival the largest reading is above the first one; so is the reading before the fall.
+  if (!std::isnan(arrival_) && std::isnan(fall_back_) && value <= first_)
+    fall_back_ = joined ? time - dt * (first_ - value) / (before - value) : time;
 }
 
 void ReadingSummary::exchange(Archive& archive, std::string const& name) {
-  std::array const pieces{&first_,           &last_,         &last_time_,        &largest_,
-                          &time_of_largest_, &smallest_,     &time_of_smallest_, &arrival_,
-                          &integral_,        &rise_integral_};
+  std::array const pieces{&first_,           &last_,          &last_time_,        &largest_,
+                          &time_of_largest_, &smallest_,      &time_of_smallest_, &arrival_,
+                          &integral_,        &rise_integral_, &fall_back_};
   std::vector<double> values;
   for (double const* piece : pieces) values.push_back(*piece);
   archive.array(name, "", values);

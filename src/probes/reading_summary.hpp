@@ -30,6 +30,11 @@ class ReadingSummary {
   /// readings; not a number before. Set the rise before the first reading.
   double arrival() const { return arrival_; }
   void set_rise(double rise) { rise_ = rise; }
+  /// Length of the positive phase [s]: from the arrival until the reading is back at the first one,
+  /// for the first time after the largest, by linear interpolation. Not a number where there is no
+  /// arrival, and where the readings end before. A later, larger reading begins the wait anew: the
+  /// phase of the largest reading counts.
+  double duration() const { return fall_back_ - arrival_; }
 
   /// `name`: a path of its own for this summary.
   void exchange(Archive& archive, std::string const& name);
@@ -43,6 +48,7 @@ class ReadingSummary {
   double largest_ = nothing, time_of_largest_ = nothing;
   double smallest_ = nothing, time_of_smallest_ = nothing;
   double arrival_ = nothing;
+  double fall_back_ = nothing;  // s, when the first reading was met again after the largest
   double integral_ = 0.0;
   double rise_integral_ = 0.0;
 };

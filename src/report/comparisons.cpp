@@ -21,6 +21,8 @@ char const* summary_key(ReadingMeasure measure) {
       return "time_of_smallest";
     case ReadingMeasure::arrival:
       return "arrival";
+    case ReadingMeasure::duration:
+      return "duration";
     case ReadingMeasure::impulse:
       return "impulse";
     case ReadingMeasure::integral:
@@ -35,6 +37,7 @@ std::string unit_of(ReadingMeasure measure, std::string const& unit) {
     case ReadingMeasure::time_of_largest:
     case ReadingMeasure::time_of_smallest:
     case ReadingMeasure::arrival:
+    case ReadingMeasure::duration:
       return "s";
     case ReadingMeasure::impulse:
     case ReadingMeasure::integral:

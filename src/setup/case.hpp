@@ -115,7 +115,23 @@ struct WallSpec {
   }
 };
 
-enum class GaugeKind : std::uint8_t { point, front, wall, line, level, sums, side, budget };
+enum class GaugeKind : std::uint8_t {
+  point,
+  front,
+  wall,
+  line,
+  level,
+  sums,
+  side,
+  budget,
+  crater,
+  deposit,
+  bubble,
+  rise,
+  expression,
+  plane
+};
+inline constexpr std::size_t gauge_kind_count = 14;
 
 /// `point`: Shepard-interpolated pressure, density, velocity and energy at a fixed place.
 /// `front`: the farthest particle position of a material along an axis.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/input_error.hpp"
+#include "setup/check_measures.hpp"
 #include "setup/geometry.hpp"
 #include "setup/parameter.hpp"
 
@@ -41,6 +42,19 @@ void check_part(Case const& c, ProbeSpec const& probe, std::string const& key, S
                           fmt::format("must be greater than min along {}", axis_names[axis]));
 }
 
+/// Distances of a power law must differ.
+void check_decay(GaugeSpec const& gauge, std::string const& key, Source& source) {
+  std::string const origin_key = key + ".line.origin";
+  auto const& origin = gauge.probe.line_origin;
+  if (gauge.kind != GaugeKind::line || !origin || !source.good(origin_key)) return;
+  if (!source.good(key + ".line.from") || !source.good(key + ".line.to")) return;
+  double const first = norm(subtract(gauge.probe.line_from, *origin));
+  double const last = norm(subtract(gauge.probe.line_to, *origin));
+  if (gauge.probe.line_points == 2 && first == last)
+    source.report_value(origin_key, "is as far from one end of the line as from the other",
+                        "choose another origin, or more points");
+}
+
 void check_side(Case const& c, ProbeSpec const& probe, std::string const& key, Source& source) {
   auto const axis = static_cast<std::size_t>(probe.side / 2);
   if (source.good(key) && c.periodic[axis])
@@ -63,11 +77,15 @@ void check_probe(Case const& c, GaugeSpec const& gauge, std::string const& key, 
     Ends const ends = ends_of(gauge, key);
     if (source.good(ends.from_key) && source.good(ends.to_key) && ends.from == ends.to)
       source.report_value(ends.to_key, "is the place where the line begins");
+    check_decay(gauge, key, source);
+  } else {
+    check_measure(c, gauge, key, source);
   }
 }
 
 void check_probe_places(Case const& c, GaugeSpec const& gauge, std::string const& key,
                         Source& source) {
+  check_measure_places(c, gauge, key, source);
   if (gauge.kind != GaugeKind::line && gauge.kind != GaugeKind::level) return;
   Ends const ends = ends_of(gauge, key);
   for (auto const& [end, end_key] :

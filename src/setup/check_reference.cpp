@@ -46,7 +46,9 @@ void check_reference(Case const& c, ReferenceSpec& reference, std::string const&
   if (!filed && !reference.value && !source.has_problem(key + ".value"))
     source.report_key(key, source.place_of(key), "has neither value nor file",
                       "give one of the two");
-  if (!filed && reference.measure == ReadingMeasure::arrival && !c.output.arrival_pressure &&
+  bool const needs_arrival =
+      reference.measure == ReadingMeasure::arrival || reference.measure == ReadingMeasure::duration;
+  if (!filed && needs_arrival && !c.output.arrival_pressure &&
       !source.has_problem("output.arrival_pressure"))
     source.report_value(key + ".measure", "is not known: nothing says what an arrival is",
                         "give output.arrival_pressure");

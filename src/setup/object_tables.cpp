@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "setup/parameter_table.hpp"
+#include "setup/probe_entry.hpp"
 #include "setup/probe_table.hpp"
 #include "setup/region_table.hpp"
 #include "setup/shape_table.hpp"
@@ -106,11 +107,15 @@ std::vector<Entry<GaugeSpec>> make_gauge_table() {
        .key = "kind",
        .type = ValueType::choice,
        .preset = static_cast<int>(GaugeKind::point),
-       .names = {"point", "front", "wall", "line", "level", "sums", "side", "budget"},
-       .meaning = "point: state at a fixed place; front: farthest particle of a material; wall: "
-                  "load on a wall; line: states along a line; level: height of the free surface; "
-                  "sums: energies and momentum of a material; side: what left through a side of "
-                  "the domain; budget: where energy goes"}));
+       .names = {gauge_kind_names.begin(), gauge_kind_names.end()},
+       .meaning =
+           "point: state at a fixed place; front: farthest particle of a material; wall: "
+           "load on a wall; line: states along a line; level: height of the free surface; "
+           "sums: energies and momentum of a material; side: what left through a side of "
+           "the domain; budget: where energy goes; crater: size of a crater; deposit: run-out "
+           "and height of what slid; bubble: volume and place of a gas; rise: of the highest "
+           "surface since the start; expression: a formula over particles; plane: fields on "
+           "a grid, written with the frames"}));
   Parameter position = length_vector(Section::gauge, "position", "place of the gauge");
   position.when_key = "kind";
   position.when_value = "point";

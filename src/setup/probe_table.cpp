@@ -1,44 +1,9 @@
 #include "setup/probe_table.hpp"
 
+#include "setup/probe_entry.hpp"
+
 namespace moraine {
 namespace {
-
-constexpr std::string_view name_of(GaugeKind kind) {
-  switch (kind) {
-    case GaugeKind::wall:
-      return "wall";
-    case GaugeKind::line:
-      return "line";
-    case GaugeKind::level:
-      return "level";
-    case GaugeKind::sums:
-      return "sums";
-    default:
-      return "side";
-  }
-}
-
-// An entry that exists for one kind of gauge only.
-template <GaugeKind kind, auto Member>
-Entry<GaugeSpec> probe_member(Parameter parameter) {
-  parameter.section = Section::gauge;
-  parameter.when_key = "kind";
-  parameter.when_value = name_of(kind);
-  auto entry = member<GaugeSpec, &GaugeSpec::probe, Member>(std::move(parameter));
-  entry.get = [](GaugeSpec const& gauge) {
-    return gauge.kind == kind ? binding::load(gauge.probe.*Member) : Value();
-  };
-  return entry;
-}
-
-template <GaugeKind kind, auto Member>
-Entry<GaugeSpec> place(std::string_view key, std::string_view meaning) {
-  return probe_member<kind, Member>({.key = key,
-                                     .type = ValueType::vector,
-                                     .quantity = Quantity::length,
-                                     .presence = Presence::required,
-                                     .meaning = meaning});
-}
 
 // A corner of the part's box; giving it makes the part.
 template <auto Member>
@@ -86,6 +51,13 @@ void add_line(std::vector<Entry<GaugeSpec>>& table) {
        .preset = 11,
        .limits = Limits::between(2.0, 1000.0),
        .meaning = "number of points at equal distances, both ends included"}));
+  table.push_back(probe_member<GaugeKind::line, &ProbeSpec::line_origin>(
+      {.key = "line.origin",
+       .type = ValueType::vector,
+       .quantity = Quantity::length,
+       .preset_note = "no exponent",
+       .meaning = "place that distances are counted from: the summary then tells the exponent with "
+                  "which peaks of pressure fall off with the distance"}));
 }
 
 }  // namespace
@@ -107,6 +79,7 @@ void add_probe_entries(std::vector<Entry<GaugeSpec>>& table) {
        .type = ValueType::side,
        .presence = Presence::required,
        .meaning = "side of the domain through which particles leave"}));
+  add_measure_entries(table);
 }
 
 }  // namespace moraine

@@ -8,7 +8,7 @@
 
 namespace moraine {
 
-/// Appends the keys of the gauge kinds wall, line, level, sums and side.
+/// Appends the keys of all gauge kinds but point and front.
 void add_probe_entries(std::vector<Entry<GaugeSpec>>& table);
 
 }  // namespace moraine

@@ -14,6 +14,7 @@ enum class ReadingMeasure : std::uint8_t {
   time_of_largest,
   time_of_smallest,
   arrival,
+  duration,
   impulse,
   integral,
   last

@@ -38,8 +38,8 @@ std::vector<Entry<ReferenceSpec>> make_reference_table() {
        .key = "measure",
        .type = ValueType::choice,
        .preset = static_cast<int>(ReadingMeasure::largest),
-       .names = {"largest", "smallest", "time_of_largest", "time_of_smallest", "arrival", "impulse",
-                 "integral", "last"},
+       .names = {"largest", "smallest", "time_of_largest", "time_of_smallest", "arrival",
+                 "duration", "impulse", "integral", "last"},
        .meaning = "which number of the readings `value` is compared with"}));
   table.push_back(
       member<Spec, &Spec::value>({.section = Section::reference,

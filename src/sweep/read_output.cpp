@@ -89,6 +89,7 @@ class OutputReader {
   }
 
   std::optional<TableColumn> column_of(GaugeReader const& reader) {
+    if (head_.measure == Measure::decay_exponent) return decay_of(reader);
     if (!has("column") && reader.columns.size() == 1) return reader.columns.front();
     std::vector<std::string> names;
     for (TableColumn const& column : reader.columns) {
@@ -105,6 +106,16 @@ class OutputReader {
     return std::nullopt;
   }
 
+  std::optional<TableColumn> decay_of(GaugeReader const& reader) {
+    if (has("column"))
+      wrong("column", "does not belong to a decay, which all points have", "leave it out");
+    if (!reader.decay) {
+      wrong("measure", "is known of lines with an origin only", "give the gauge line.origin");
+      return std::nullopt;
+    }
+    return TableColumn{reader.name, ""};
+  }
+
   std::optional<TableColumn> column_of_sums() {
     auto const columns = sums_columns();
     std::vector<std::string_view> names;
@@ -118,11 +129,13 @@ class OutputReader {
   }
 
   void check_measure(TableColumn const& column) {
-    bool const of_pressure = head_.measure == Measure::arrival || head_.measure == Measure::impulse;
-    if (!of_pressure) return;
+    bool const of_arrival = head_.measure == Measure::arrival || head_.measure == Measure::duration;
+    if (head_.measure == Measure::decay_exponent && output_.from != OutputSource::gauge)
+      wrong("measure", "is known of lines with an origin only");
+    if (!of_arrival && head_.measure != Measure::impulse) return;
     if (output_.from != OutputSource::gauge || column.unit != "Pa")
       wrong("measure", "is known of pressures of gauges only");
-    else if (head_.measure == Measure::arrival && !context_.has_arrivals)
+    else if (of_arrival && !context_.has_arrivals)
       wrong("measure", "needs a pressure that counts as arrival",
             "give the case output.arrival_pressure, or add it as a parameter with one value");
   }

@@ -49,6 +49,9 @@ char const* name_in_summary(Measure measure) {
       return "impulse";
     case Measure::arrival:
       return "arrival";
+    case Measure::duration:
+      return "duration";
+    case Measure::decay_exponent:
     case Measure::last:
       break;
   }
@@ -114,6 +117,8 @@ class RunFiles {
     if (summary_.is_null()) summary_ = json_of(folder_ / "gauges.json");
     for (Json const& gauge : summary_.at("gauges")) {
       if (gauge.at("name") != output.gauge) continue;
+      if (output.measure == Measure::decay_exponent)
+        return gauge.contains("decay") ? number_in(gauge.at("decay"), "exponent") : nothing;
       Json const& columns = gauge.at("columns");
       if (columns.contains(output.column))
         return number_in(columns.at(output.column), name_in_summary(output.measure));
@@ -172,7 +177,10 @@ std::string unit_of(Measure measure, std::string const& column_unit) {
     case Measure::time_of_peak:
     case Measure::time_of_least:
     case Measure::arrival:
+    case Measure::duration:
       return "s";
+    case Measure::decay_exponent:
+      return "";
     case Measure::integral:
     case Measure::impulse:
       return column_unit.empty() ? "s" : column_unit + " s";

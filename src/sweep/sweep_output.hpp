@@ -19,10 +19,13 @@ enum class Measure : std::uint8_t {
   last,
   integral,
   impulse,
-  arrival
+  arrival,
+  duration,
+  decay_exponent  // of a line with an origin
 };
-inline constexpr std::array<std::string_view, 8> measure_names{
-    "peak", "time_of_peak", "least", "time_of_least", "last", "integral", "impulse", "arrival"};
+inline constexpr std::array<std::string_view, 10> measure_names{
+    "peak",     "time_of_peak", "least",   "time_of_least", "last",
+    "integral", "impulse",      "arrival", "duration",      "decay_exponent"};
 
 /// What is taken of a run as a whole.
 enum class RunNumber : std::uint8_t { wall_time, steps, simulated_time, particles, energy_error };

@@ -61,6 +61,22 @@ position = [0, 0, 0]
 name = "level"
 kind = "level"
 position = [0, 0, 0]
+[[gauge]]
+name = "hole"
+kind = "crater"
+materials = ["water"]
+crater = { level = 0.5, center = [0, 0, 0], radius = 0.8, sectors = 6 }
+[[gauge]]
+name = "heat"
+kind = "expression"
+formula = "density > 0 ? specific_energy * mass : -1"
+reduce = "sum"
+unit = "J"
+within = { min = [-1, -1, -1], max = [1, 1, 1] }
+[[gauge]]
+name = "cut"
+kind = "plane"
+plane = { min = [-1, 0, -1], max = [1, 0, 1], step = 0.5 }
 [[stage]]
 name = "rest"
 damping_time = "1 ms"

@@ -59,6 +59,8 @@ GaugeReadings read_gauge(std::filesystem::path const& file, std::string const& g
     result.readings.push_back({Measure::impulse, impulse.get<double>()});
   if (Json const arrival = column.value("arrival", Json()); arrival.is_number())
     result.readings.push_back({Measure::arrival_time, arrival.get<double>()});
+  if (Json const duration = column.value("duration", Json()); duration.is_number())
+    result.readings.push_back({Measure::positive_duration, duration.get<double>()});
   return result;
 } catch (Json::exception const&) {
   refuse(file, "", "is no summary of gauges", "name the gauges.json of a run");
