@@ -8,7 +8,7 @@ import { loadCurves, type Curve } from "./curves";
 import { addKeys, addTouch, addWheel } from "./gestures";
 import { chartPicture } from "./picture";
 import { limitsOfX, makePlot, yScale } from "./plot";
-import { curveName, makeReading, type Entry, type Reading } from "./reading";
+import { curveNames, makeReading, type Entry, type Reading } from "./reading";
 import { rowsOfCurves } from "./rows_of_curves";
 import { csv, save, savePicture } from "./save";
 import { withUnit } from "../units";
@@ -145,8 +145,9 @@ export class Chart {
     const hasSeveralRuns = runs.size > 1;
     const by = options.colourBy === "auto" ? (hasSeveralRuns ? "run" : "curve") : options.colourBy;
     const styleOf = styles(curves, app.report.runs, by);
+    const names = curveNames(curves);
     this.entries = curves.map((curve, i) => ({
-      name: curveName(curve, hasSeveralRuns),
+      name: names[i],
       curve,
       style: styleOf[i],
     }));

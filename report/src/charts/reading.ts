@@ -18,11 +18,16 @@ export interface Reading {
   text(): string;
 }
 
-/** Names as short as they can be: the run only where there are several. */
-export function curveName(curve: Curve, hasSeveralRuns: boolean): string {
-  const run =
-    hasSeveralRuns && curve.run && !curve.isDots ? ` · ${curve.run.title || curve.run.name}` : "";
-  return `${curve.label}${run}`;
+/** Names as short as they can be: run and column only where there are several of them. */
+export function curveNames(curves: Curve[]): string[] {
+  const lines = curves.filter((curve) => !curve.isDots);
+  const hasSeveralRuns = new Set(lines.map(({ run }) => run)).size > 1;
+  const hasSeveralColumns = new Set(lines.map(({ key }) => key)).size > 1;
+  return curves.map(({ run, label, isDots }) => {
+    if (!hasSeveralRuns || !run || isDots) return label;
+    const title = run.title || run.name;
+    return hasSeveralColumns ? `${label} · ${title}` : title;
+  });
 }
 
 function swatch(entry: Entry): SVGSVGElement {
