@@ -10,15 +10,18 @@ namespace moraine {
 
 /// Programmed burn. The burn fraction F of a particle is
 ///
-///   F = min(1, max(0, (t - t_lit) D / w, (1 - rho_0 / rho) / (1 - V_cj))),   never falling
+///   F = min(1, max(0, (t - t_lit) D / w, (1 - rho_0 / rho) / (1 - V_cj)))
 ///
 ///   p = F p_products(rho, e)
 ///
 /// Source: Giroux, HEMP User's Manual, UCRL-51079 (1973): the larger of a front of speed D that is
 /// spread over a few spacings and of burning by compression.
 /// Symbols: t_lit lighting time of the particle, D detonation_velocity, w width, V_cj cj_volume.
-/// The particle carries the energy of the explosive from the start: burning releases pressure and
-/// no energy, so there is nothing to book.
+/// Once a particle is lit, or all burnt, its F never falls. Before, burning by compression goes
+/// back where the compression does: what only leans on an explosive must not light it bit by bit.
+/// Where it never falls, as in Giroux, water at 176 kPa beside a charge does
+/// (docs/theory/matter.md). The particle carries the energy of the explosive from the start:
+/// burning releases pressure and no energy, so there is nothing to book.
 struct ProgrammedBurn {
   double detonation_velocity = 0.0;  // m/s
   double cj_volume = 0.0;            // rho_0 / rho of the Chapman-Jouguet state, in ]0, 1[
@@ -33,8 +36,9 @@ struct ProgrammedBurn {
   /// Burn fraction after `before`, at density `rho` [kg/m^3] and `lit_for` [s] after the lighting
   /// time (negative before it, -infinity for what is not lit at all).
   MORAINE_HD double fraction(double before, double rho, double lit_for) const {
+    double const kept = lit_for >= 0.0 || before >= 1.0 ? before : 0.0;
     double const front = lit_for * detonation_velocity / width;
-    return std::min(1.0, std::max(before, std::max(front, by_compression(rho))));
+    return std::min(1.0, std::max(kept, std::max(front, by_compression(rho))));
   }
 
   /// Pressure and sound speed of explosive of which `fraction` has burnt, by the fraction's own

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -28,11 +29,27 @@ TEST(ProgrammedBurn, BurnsWhatIsCompressed) {
   EXPECT_EQ(tnt_burn.fraction(0.0, 1600.0, -infinity), 0.0);
 }
 
-TEST(ProgrammedBurn, NeverFalls) {
+// Squeezed and let go again by a little, many times: nothing burns that is not lit.
+TEST(ProgrammedBurn, GoesBackWithTheCompressionBeforeItIsLit) {
+  double before = 0.0;
+  for (int k = 0; k < 1000; ++k) {
+    double const rho = 1630.0 * (1.0 + 0.01 * std::sin(0.37 * k));
+    before = tnt_burn.fraction(before, rho, -1.0);
+    EXPECT_NEAR(before, std::max(0.0, tnt_burn.by_compression(rho)), 1e-15);
+  }
+}
+
+TEST(ProgrammedBurn, StaysBurntWhereCompressionHasBurntAll) {
+  double const all = tnt_burn.fraction(0.0, 1630.0 / 0.73, -infinity);
+  EXPECT_EQ(all, 1.0);
+  EXPECT_EQ(tnt_burn.fraction(all, 1000.0, -infinity), 1.0);
+}
+
+TEST(ProgrammedBurn, NeverFallsOnceItIsLit) {
   double before = 0.0;
   for (int k = 0; k < 1000; ++k) {
     double const rho = 1630.0 * (1.0 + 0.3 * std::sin(0.37 * k));
-    double const now = tnt_burn.fraction(before, rho, 3e-11 * k * std::cos(0.11 * k));
+    double const now = tnt_burn.fraction(before, rho, 3e-11 * k);
     EXPECT_GE(now, before);
     EXPECT_LE(now, 1.0);
     before = now;

@@ -124,7 +124,7 @@ std::vector<CheckResult> check_tnt_water_interface(Effort effort) {
   Jwl const tnt = std::get<Jwl>(c.materials[0].eos);
   WaterPolynomial const water = std::get<WaterPolynomial>(c.materials[1].eos);
   RiemannSide const at_rest{water, water.reference_density, 0.0,
-                            c.regions[1].initial.specific_energy.value()};
+                            c.regions[1].initial.specific_energy.value_or(water.reference_energy)};
   FlowState const cj = chapman_jouguet({tnt, tnt.reference_density, tnt.reference_energy}).behind;
   RiemannProblem const arrival({tnt, cj.density, cj.velocity, cj.specific_energy}, at_rest);
   RiemannProblem const burnt({tnt, tnt.reference_density, 0.0, tnt.reference_energy}, at_rest);
