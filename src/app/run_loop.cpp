@@ -38,9 +38,7 @@ class Loop {
  private:
   bool advance();
   ExitCode give_up(std::string const& reason, std::vector<Flag> const& flags, ExitCode code);
-  void write_page() const {
-    report::write_report({run_.folder}, {.file = run_.folder / "report.html"});
-  }
+  bool write_page() const;
   void keep_what_there_is(std::string const& reason, std::vector<Flag> const& flags) const;
   std::string stopped_by(std::exception const& error) const {
     return fmt::format("the run stopped at time {:.6g} s, step {}: {}", run_.simulation.time(),
@@ -83,15 +81,31 @@ ExitCode Loop::to_end() {
     std::string const reason = stopped ? "interrupted" : "end time reached";
     run_.recorder.finish(run_.simulation, reason, status_.wall_time());
     status_.write(stopped ? RunPhase::stopped : RunPhase::ended, reason);
-    write_page();
+    bool const shown = write_page();
     say_end(run_, saver_, reason, status_.wall_time());
-    return stopped ? ExitCode::interrupted : ExitCode::done;
+    if (stopped) return ExitCode::interrupted;
+    return shown ? ExitCode::done : ExitCode::not_written;
   } catch (SimulationError const& error) {
     return give_up(error.what(), error.flags(), ExitCode::unstable);
   } catch (OutputError const& error) {
     return give_up(stopped_by(error), {}, ExitCode::not_written);
   } catch (std::exception const& error) {  // no memory: not the physics
     return give_up(stopped_by(error), {}, ExitCode::failed);
+  }
+}
+
+/// The results are whole without their page: what goes wrong with it is told, and ends nothing.
+bool Loop::write_page() const {
+  auto const file = run_.folder / "report.html";
+  try {
+    report::write_report({run_.folder}, {.file = file});
+    return true;
+  } catch (std::exception const& error) {
+    fmt::print(stderr,
+               "{} could not be written: {}\nall other results are there; to try again: "
+               "moraine report {}\n",
+               file.string(), error.what(), run_.folder.string());
+    return false;
   }
 }
 

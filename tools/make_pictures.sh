@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# tools/make_pictures.sh
+#
+# Makes the pictures of runs, reports and sweeps in README and docs anew, from the shipped cases. Takes about
+# three minutes on two cores.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+
+"$root/tools/install_packages.sh" build browser
+cd "$root"
+images=docs/images
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+moraine() { "$build/moraine" "$@" >"$out/log" 2>&1 || { cat "$out/log"; fail "moraine $*"; }; }
+picture() { /usr/bin/python3 tools/page_picture.py "$@"; }
+
+moraine run cases/tnt-in-water/case.toml --output "$out/tnt-in-water"
+moraine plot "$out/tnt-in-water"
+cp "$out/tnt-in-water/plots/pressure_particles_000005.png" $images/tnt-in-water.png
+picture "$out/tnt-in-water/report.html" $images/report-laptop.png --height 1500
+picture "$out/tnt-in-water/report.html" $images/report-phone.png --phone --at '#curves'
+picture "$out/tnt-in-water/report.html" $images/report-player.png --at '#particles' --frame 0.25 --dark
+
+moraine run cases/dam-break-3d/case.toml --output "$out/dam-break-3d"
+picture "$out/dam-break-3d/report.html" $images/report-player-3d.png --at '#particles' --frame 0.5
+
+moraine sweep cases/tnt-in-water/sweeps/smoothing-factors.toml --output "$out/smoothing-factors"
+picture "$out/smoothing-factors/sweep.html" $images/sweep.png --at '#sweep' --height 700
+say "pictures: $images"
