@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/simd.hpp"
+#include "output/printable.hpp"
 #include "output/timing_table.hpp"
 
 namespace moraine {
@@ -19,7 +20,7 @@ void say_start(Run const& run, int threads) {
   fmt::print(
       "{}\n{}D, {} fluid and {} wall particles, spacing {:.4g} m, h {:.4g} m, kernel {}, {} "
       "threads, {}\n",
-      c.title.empty() ? c.file : c.title, c.dimension, store.range(Kind::fluid).size(),
+      printable(c.title.empty() ? c.file : c.title), c.dimension, store.range(Kind::fluid).size(),
       store.range(Kind::wall).size(), c.numerics.spacing, c.numerics.smoothing_length(),
       kernel_name(c.numerics.kernel), threads, simd_flavour);
   if (double const finest = run.simulation.model().finest_spacing; finest < c.numerics.spacing)
@@ -34,8 +35,8 @@ std::size_t say_stages(Simulation const& simulation, std::size_t told, Progress&
   for (; told < events.size(); ++told) {
     progress.clear();
     StageEvent const& event = events[told];
-    fmt::print("stage \"{}\" begins at time {:.6g} s, step {}: {}\n", event.stage, event.time,
-               event.step, event.cause);
+    fmt::print("stage \"{}\" begins at time {:.6g} s, step {}: {}\n", printable(event.stage),
+               event.time, event.step, event.cause);
   }
   return told;
 }
@@ -57,7 +58,7 @@ void say_end(Run const& run, Saver const& saver, std::string const& reason, doub
         "(resolution.smoothing.least), of up to {} at {:.4g} m (most)\n",
         clips.at_least, simulation.model().numerics.least_smoothing_length(), clips.at_most,
         simulation.model().numerics.largest_smoothing_length());
-  for (std::string const& remark : run.recorder.remarks()) fmt::print("{}\n", remark);
+  for (std::string const& remark : run.recorder.remarks()) fmt::print("{}\n", printable(remark));
   std::string const folder = run.folder.string();
   fmt::print(
       "\n{}\nresults in {}: report.html (any browser), particles.pvd (ParaView), gauges.csv, "

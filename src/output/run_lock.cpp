@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
+#include <thread>
 #include <utility>
 
 #include "output/output_error.hpp"
@@ -13,10 +15,13 @@
 namespace moraine {
 namespace {
 
+/// How long a look of somebody else at the lock may last.
+constexpr std::chrono::milliseconds longest_look(500);
+
 /// False if another has it; a file system without locks refuses nobody.
-bool lock(int file) {
+bool lock(int file, int kind) {
   int status = 0;
-  do status = ::flock(file, LOCK_EX | LOCK_NB);
+  do status = ::flock(file, kind | LOCK_NB);
   while (status != 0 && errno == EINTR);
   return status == 0 || errno != EWOULDBLOCK;
 }
@@ -28,7 +33,12 @@ std::optional<RunLock> RunLock::take(std::filesystem::path const& folder) {
   int const file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file < 0) throw OutputError("cannot open '" + path.string() + "': " + std::strerror(errno));
   RunLock taken(file);
-  if (!lock(file)) return std::nullopt;
+  // Whoever looks whether it is held holds it himself for a moment.
+  auto const start = std::chrono::steady_clock::now();
+  while (!lock(file, LOCK_EX)) {
+    if (std::chrono::steady_clock::now() - start > longest_look) return std::nullopt;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
   return taken;
 }
 
@@ -36,7 +46,7 @@ bool RunLock::is_held(std::filesystem::path const& folder) {
   int const file = ::open((folder / "lock").c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return false;
   RunLock const probe(file);
-  return !lock(file);
+  return !lock(file, LOCK_SH);  // those who look do not see each other
 }
 
 RunLock::RunLock(RunLock&& other) noexcept : file_(std::exchange(other.file_, -1)) {}

@@ -113,6 +113,7 @@ RunRecorder::RunRecorder(Case const& c, Simulation const& simulation, std::files
       gauge_schedule_(c.output.gauge_interval, {}, c.output.gauge_interval <= 0.0),
       sums_schedule_(c.output.sums_interval, {}, c.output.sums_interval <= 0.0),
       synced_frames_(saved.frame_times.size()),
+      earlier_wall_time_(saved.wall_time),
       last_gauge_time_(saved.last_gauge_time),
       last_sums_time_(saved.last_sums_time) {
   drop_frames(folder_, saved.frame_times.size());
@@ -148,6 +149,7 @@ RecorderState RunRecorder::state() const {
   state.sums_size = sums_.size();
   state.last_gauge_time = last_gauge_time_;
   state.last_sums_time = last_sums_time_;
+  state.wall_time = wall_time();
   return state;
 }
 
@@ -168,11 +170,17 @@ void RecorderState::exchange(Archive& archive) {
   archive.number("output/sums_size", sums_size);
   archive.number("output/last_gauge_time", last_gauge_time);
   archive.number("output/last_sums_time", last_sums_time);
+  archive.number("output/wall_time", wall_time);
   archive.text("output/case_file", manifest.case_file);
   archive.text("output/case_sha256", manifest.case_sha256);
   archive.text("output/start_time", manifest.start_time);
   archive.number("output/particles_at_start", manifest.particles);
   archive.array("output/resumed_at_steps", "", manifest.resumed_at_steps);
+}
+
+double RunRecorder::wall_time() const {
+  std::chrono::duration<double> const now = std::chrono::steady_clock::now() - begun_;
+  return earlier_wall_time_ + now.count();
 }
 
 void RunRecorder::exchange_memory(Archive& archive) {

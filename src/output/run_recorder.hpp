@@ -1,6 +1,7 @@
 // Everything a run writes into its folder, and when each piece is due.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -47,7 +48,8 @@ struct RecorderState {
   std::uint64_t sums_size = 0;
   double last_gauge_time = -1.0;  // s
   double last_sums_time = -1.0;
-  Manifest manifest;  // of the start
+  double wall_time = 0.0;  // s, of all parts of the run so far
+  Manifest manifest;       // of the start
 
   void exchange(Archive& archive);
 };
@@ -98,6 +100,9 @@ class RunRecorder {
   /// Call when a stage has begun and its first rates are there (Simulation::on_new_rates).
   void tell_new_rates(Simulation const& simulation) { probes_.tell_new_rates(simulation); }
 
+  /// Time [s] since the run was started, without that in which it was stopped.
+  double wall_time() const;
+
   /// Time spent on writing, by label.
   Timers const& timers() const { return timers_; }
 
@@ -130,6 +135,8 @@ class RunRecorder {
   int gauge_timer_ = timers_.add("gauges");
   int sums_timer_ = timers_.add("sums");
   std::size_t synced_frames_ = 0;
+  double earlier_wall_time_ = 0.0;  // s, of the parts before it was resumed
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   double last_gauge_time_ = -1.0;
   double last_sums_time_ = -1.0;
 };

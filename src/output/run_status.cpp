@@ -6,6 +6,7 @@
 #include "output/atomic_file.hpp"
 #include "output/manifest.hpp"
 #include "step/guard.hpp"
+#include "step/guard_findings.hpp"
 
 namespace moraine {
 namespace {
@@ -32,13 +33,23 @@ Json votes_of(std::vector<VoteShare> const& votes) {
   return list;
 }
 
+/// Why an optional guard says nothing about a run; empty where it looks.
+std::string_view not_looking(Guard guard, Model const& model) {
+  if (!model.guards.looks(guard)) return "switched off";
+  if (guard == Guard::budget && !has_budget(model))
+    return "not known: gravity along periodic sides";
+  if (guard == Guard::walls && !model.walls.faces.empty()) return "sees walls of dummies only";
+  return "";
+}
+
 Json guards_of(Simulation const& simulation) {
   auto list = Json::array();
   auto const& parts = simulation.guards().largest_parts();
   for (GuardInfo const& guard : guard_table)
-    if (guard.optional && simulation.model().guards.looks(guard.guard))
+    if (guard.optional)
       list.push_back({{"name", guard.name},
                       {"looks_at", guard.looks_at},
+                      {"not_looking", not_looking(guard.guard, simulation.model())},
                       {"largest_part_of_bound",
                        number_or_null(parts[static_cast<std::size_t>(guard.guard)])}});
   return list;

@@ -21,16 +21,23 @@ std::optional<std::array<Column const*, count>> columns(
   return found;
 }
 
+/// Not a number where any value is none: such a sum is not conserved, whatever the others say.
 double largest_change(Column const& values) {
   double largest = 0.0;
-  for (double const value : values)
-    if (std::isfinite(value)) largest = std::max(largest, std::abs(value - values.front()));
+  for (double const value : values) {
+    if (!std::isfinite(value)) return std::numeric_limits<double>::quiet_NaN();
+    largest = std::max(largest, std::abs(value - values.front()));
+  }
   return largest;
 }
+
+/// The larger one; what is no number stays.
+double larger(double a, double b) { return std::isnan(a) || b <= a ? a : b; }
 
 }  // namespace
 
 double Drift::share() const {
+  if (std::isnan(largest) || std::isnan(scale)) return std::numeric_limits<double>::quiet_NaN();
   if (scale > 0.0) return largest / scale;
   return largest > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
 }
@@ -47,20 +54,21 @@ std::optional<Drift> energy_drift(Table const& sums) {
                       (*detonation)[row] - (*drift)[row]);
   Drift result;
   result.largest = largest_change(balance);
-  for (Column const* kind : *kinds) result.scale = std::max(result.scale, largest_change(*kind));
+  for (Column const* kind : *kinds) result.scale = larger(result.scale, largest_change(*kind));
   return result;
 }
 
-std::optional<Drift> momentum_drift(Table const& sums, std::array<double, 3> const& gravity) {
+std::optional<Drift> momentum_drift(Table const& sums, std::array<double, 3> const& gravity,
+                                    std::array<bool, 3> const& told) {
   auto const state = columns<3>(sums, {"time", "mass", "kinetic_energy"});
   if (!state) return std::nullopt;
   auto const& [time, mass, kinetic] = *state;
   Drift result;
   for (std::size_t row = 0; row < time->size(); ++row)
-    result.scale =
-        std::max(result.scale, std::sqrt(std::max(0.0, 2.0 * (*mass)[row] * (*kinetic)[row])));
+    result.scale = larger(result.scale, std::sqrt(2.0 * (*mass)[row] * (*kinetic)[row]));
   constexpr std::array<char, 3> axes{'x', 'y', 'z'};
   for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!told[axis]) continue;
     std::string const momentum_name = std::string("momentum_") + axes[axis];
     std::string const impulse_name = std::string("wall_impulse_") + axes[axis];
     auto const found = columns<2>(sums, {momentum_name.c_str(), impulse_name.c_str()});
@@ -70,7 +78,7 @@ std::optional<Drift> momentum_drift(Table const& sums, std::array<double, 3> con
     for (std::size_t row = 0; row < time->size(); ++row)
       balance.push_back((*momentum)[row] - (*impulse)[row] -
                         (*mass)[row] * gravity[axis] * (*time)[row]);
-    result.largest = std::max(result.largest, largest_change(balance));
+    result.largest = larger(result.largest, largest_change(balance));
   }
   return result;
 }

@@ -64,10 +64,17 @@ std::optional<double> value_of(RunFiles const& run, ReferenceSpec const& referen
   return {};
 }
 
+/// The largest difference that passes; nothing where the case does not judge.
+std::optional<double> allowed_by(ReferenceSpec const& reference) {
+  if (reference.within) return reference.within;
+  if (reference.tolerance) return *reference.tolerance * std::abs(*reference.value);
+  return {};
+}
+
 Verdict judged(std::optional<double> value, ReferenceSpec const& reference) {
-  if (!value || !reference.tolerance) return Verdict::unknown;
-  double const allowed = *reference.tolerance * std::abs(*reference.value);
-  return std::abs(*value - *reference.value) <= allowed ? Verdict::good : Verdict::bad;
+  auto const allowed = allowed_by(reference);
+  if (!value || !allowed) return Verdict::unknown;
+  return std::abs(*value - *reference.value) <= *allowed ? Verdict::good : Verdict::bad;
 }
 
 }  // namespace
@@ -86,7 +93,7 @@ Json comparisons_of(RunFiles const& run) {
              {"tolerance", nullptr},
              {"verdict", verdict_name(judged(value, reference))},
              {"source", reference.source}};
-    if (reference.tolerance) row["tolerance"] = *reference.tolerance * std::abs(*reference.value);
+    if (auto const allowed = allowed_by(reference)) row["tolerance"] = *allowed;
     list.push_back(std::move(row));
   }
   return list;

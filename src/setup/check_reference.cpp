@@ -43,6 +43,14 @@ void check_reference(Case const& c, ReferenceSpec& reference, std::string const&
     source.report_value(key + ".value", "is given together with file", "leave out one of the two");
   if (filed && reference.tolerance && source.good(key + ".tolerance"))
     source.report_value(key + ".tolerance", "belongs to a value, not to a curve", "leave it out");
+  if (filed && reference.within && source.good(key + ".within"))
+    source.report_value(key + ".within", "belongs to a value, not to a curve", "leave it out");
+  if (reference.tolerance && reference.within && source.good(key + ".within"))
+    source.report_value(key + ".within", "is given together with tolerance",
+                        "leave out one of the two");
+  if (reference.tolerance && reference.value == 0.0 && source.good(key + ".tolerance"))
+    source.report_value(key + ".tolerance", "is a share of a value that is zero",
+                        "give within, in the unit of the value");
   if (!filed && !reference.value && !source.has_problem(key + ".value"))
     source.report_key(key, source.place_of(key), "has neither value nor file",
                       "give one of the two");

@@ -29,7 +29,8 @@ struct ReferenceSpec {
   std::string file;    // of the case: relative to it; after reading: absolute; empty: a value
   ReadingMeasure measure = ReadingMeasure::largest;
   std::optional<double> value;      // in the SI unit of the measure
-  std::optional<double> tolerance;  // share of |value|; none: compared, not judged
+  std::optional<double> tolerance;  // share of |value|
+  std::optional<double> within;     // the same in the unit of the value; neither: not judged
   std::string source;
 };
 

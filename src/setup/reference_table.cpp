@@ -53,6 +53,12 @@ std::vector<Entry<ReferenceSpec>> make_reference_table() {
        .preset_note = "compared, not judged",
        .limits = Limits::positive(),
        .meaning = "largest difference that passes, as a share of the value: 0.05 is 5 %"}));
+  table.push_back(
+      member<Spec, &Spec::within>({.section = Section::reference,
+                                   .key = "within",
+                                   .preset_note = "by tolerance",
+                                   .limits = Limits::positive(),
+                                   .meaning = "the same as a number in the SI unit of the value"}));
   table.push_back(member<Spec, &Spec::source>(
       needed(text("source", "", "where the value or curve comes from"))));
   return table;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "output/run_lock.hpp"
 #include "report/report.hpp"
 
 namespace moraine::watch {
@@ -20,7 +21,8 @@ constexpr double interval = 1.0;  // s, between two questions of a page
 
 /// Changes whenever a run has written something.
 std::string fingerprint(std::filesystem::path const& folder) {
-  std::string print;
+  // A run that was killed writes nothing any more; that nobody holds its lock is all that changes.
+  std::string print = RunLock::is_held(folder) ? "held;" : "free;";
   for (char const* const name :
        {"status.json", "manifest.json", "gauges.csv", "sums.csv", "particles.pvd"}) {
     std::error_code none;

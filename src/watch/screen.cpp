@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "output/printable.hpp"
 #include "output/si_prefix.hpp"
 #include "watch/spark_line.hpp"
 
@@ -123,7 +124,7 @@ std::string screen_of(RunFiles const& run, ScreenSize const& size) {
   add_curves(lines, run.gauges, gauges);
   add_curves(lines, run.sums, size);
   std::string text;
-  for (std::string const& line : lines) text += cut(line, size.columns) + '\n';
+  for (std::string const& line : lines) text += cut(printable(line), size.columns) + '\n';
   return text;
 }
 

@@ -127,8 +127,11 @@ TEST_F(Watch, ServesThePageToThisMachineAlone) {
 
   run.send(SIGTERM);
   run.wait();
-  std::string const last = get(port, "/data.json");
-  EXPECT_EQ(body(last).at("runs").at(0).at("state"), "stopped");
+  std::string last;
+  EXPECT_TRUE(within_ten_seconds([&] {
+    last = get(port, "/data.json");
+    return body(last).at("runs").at(0).at("state") == "stopped";
+  }));
   std::string const revision = std::to_string(body(last).at("revision").get<int>());
   EXPECT_NE(get(port, "/data.json?since=" + revision).find("304"), std::string::npos)
       << "nothing has changed";

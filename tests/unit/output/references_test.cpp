@@ -75,6 +75,14 @@ TEST_F(References, HaveMistakesThatAreTold) {
           Bad{"gauge = \"bed\"\ntolerance = 0.1\nfile = \"curve.csv\"\nsource = \"s\"", "",
               "case.toml:19:13: reference.r.tolerance: 0.1 belongs to a value, not to a curve; "
               "leave it out"},
+          Bad{"gauge = \"bed\"\nvalue = 0\ntolerance = 0.1\nsource = \"s\"", "",
+              "case.toml:20:13: reference.r.tolerance: 0.1 is a share of a value that is zero; "
+              "give "
+              "within, in the unit of the value"},
+          Bad{"gauge = \"bed\"\nvalue = 1\ntolerance = 0.1\nwithin = 0.1\nsource = \"s\"", "",
+              "case.toml:21:10: reference.r.within: 0.1 is given together with tolerance; leave "
+              "out "
+              "one of the two"},
           Bad{"gauge = \"bed\"\nfile = \"none.csv\"\nsource = \"s\"", "",
               "case.toml:19:8: reference.r.file: \"none.csv\" is no file: there is no none.csv"},
           Bad{"gauge = \"bed\"\nvalue = 1\nmeasure = \"arrival\"\nsource = \"s\"", "",

@@ -58,6 +58,30 @@ TEST(Balances, AreSilentWithoutTheirColumns) {
   EXPECT_EQ(last_of(falling(), "time"), 2.0);
 }
 
+// One sum that is no number is enough, wherever it stands.
+TEST(Balances, OfWhatIsNoNumberAreNone) {
+  for (char const* const column : {"total_energy", "kinetic_energy", "wall_work", "momentum_x"}) {
+    Table t = falling();
+    for (std::size_t k = 0; k < t.columns.size(); ++k)
+      if (t.columns[k].name == column) t.values[k].back() = std::nan("");
+    bool const of_energy = std::string_view(column) != "momentum_x";
+    if (of_energy) {
+      EXPECT_TRUE(std::isnan(energy_drift(t)->share())) << column;
+    }
+    bool const of_momentum = !of_energy || std::string_view(column) == "kinetic_energy";
+    if (of_momentum) {
+      EXPECT_TRUE(std::isnan(momentum_drift(t, {})->share())) << column;
+    }
+  }
+}
+
+// Planes across y take what nobody books: that axis is not asked.
+TEST(Balances, LeaveOutAxes) {
+  auto const drift = momentum_drift(falling(), {0.0, -10.0, 0.0}, {true, false, true});
+  ASSERT_TRUE(drift);
+  EXPECT_EQ(drift->largest, 0.0);
+}
+
 TEST(Balances, ShareOfNothing) {
   EXPECT_EQ((Drift{0.0, 0.0}.share()), 0.0);
   EXPECT_TRUE(std::isinf(Drift{1.0, 0.0}.share()));

@@ -57,6 +57,13 @@ TEST(Screen, FitsIntoTheTerminal) {
   EXPECT_LT(count, 20);
 }
 
+TEST(Screen, ShowsControlCharactersAsQuestionMarks) {
+  report::RunFiles run = half_way();
+  run.name = "a\x1b]0;b\x07\xc2\x9b\x7f\n\xc3\xa4";
+  std::string const text = screen_of(run, {80, 24});
+  EXPECT_EQ(text.substr(0, text.find('(')), "a?]0;b????\xc3\xa4  ");
+}
+
 TEST(Screen, LivesWithAnEmptyStatus) {
   report::RunFiles run;
   run.name = "young";
