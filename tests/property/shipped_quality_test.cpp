@@ -54,8 +54,8 @@ INSTANTIATE_TEST_SUITE_P(, ShippedQuality,
                          testing::Values("couette", "dam-break-2d", "hydrostatic-tank", "noh",
                                          "poiseuille", "sloshing-tank", "sod", "standing-wave",
                                          "taylor-green", "tnt-in-water", "tnt-slab", "toro"),
-                         [](auto const& info) {
-                           std::string name = info.param;
+                         [](auto const& shipped) {
+                           std::string name = shipped.param;
                            for (char& c : name)
                              if (c == '-') c = '_';
                            return name;
