@@ -69,6 +69,35 @@ INSTANTIATE_TEST_SUITE_P(, MirrorWalls,
                                          Setting{2, 24, WallMethod::mirror_and_repulsive,
                                                  Slip::free}));
 
+/// Energy gained by a stirred charge between mirrors without slip, by its kinetic energy.
+double gain_with_options(void (*ask)(Numerics&), double viscosity, int halvings) {
+  Model model = build_model(charge_in_box(2, 24, WallMethod::mirror, Slip::none));
+  ask(model.numerics);
+  for (Material& material : model.materials) material.dynamic_viscosity = viscosity;
+  stir(model, 200.0);
+  model.time.fixed_step = std::ldexp(2e-7, -halvings);
+  Simulation simulation(std::move(model));
+  double const before = simulation.sums().total_energy();
+  for (int step = 0; step < 60 << halvings; ++step) simulation.advance();
+  ConservedSums const after = simulation.sums();
+  return std::fabs(after.total_energy() - before) / after.kinetic_energy;
+}
+
+// What optional terms push, walls at rest do no work with either: only the error of the step is
+// left.
+TEST(MirrorWall, OptionsKeepTheEnergyWithoutSlip) {
+  for (auto const& [ask, viscosity] :
+       {std::pair{+[](Numerics& n) { n.physical_viscosity = ViscosityForm::monaghan_cleary; }, 1e4},
+        std::pair{+[](Numerics& n) { n.physical_viscosity = ViscosityForm::morris; }, 1e4},
+        std::pair{+[](Numerics& n) { n.gradient_correction = GradientCorrection::bonet_lok; },
+                  0.0}}) {
+    double const coarse = gain_with_options(ask, viscosity, 0);
+    double const fine = gain_with_options(ask, viscosity, 1);
+    EXPECT_LE(coarse, 5e-3);
+    EXPECT_LE(fine, 0.35 * coarse + 1e-9);
+  }
+}
+
 // A drop that falls on a mirror again and again turns round in the step in which it passes, so that
 // gravity has no time to pull at it beyond: it never comes higher than it fell from. What is left
 // is g dt of velocity at each of 20 bounces, against the 1.4 m/s of the fall.

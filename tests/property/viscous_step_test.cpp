@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "step/simulation.hpp"
+#include "step/simulation_setup.hpp"
 #include "verify/random_box.hpp"
 
 namespace moraine {
@@ -62,6 +63,26 @@ INSTANTIATE_TEST_SUITE_P(
                      testing::Values(KernelName::cubic_spline, KernelName::wendland_c2,
                                      KernelName::quintic_spline)),
     name_of);
+
+// A thick liquid beside a light one drags it, in Morris' form with half of the sum of both: the
+// step follows what the lightest particle feels.
+TEST(ViscousStep, SeesTheThickLiquidBesideTheLightOne) {
+  RandomBox box;
+  box.displacement = 0.0;
+  box.velocity = 1e-6;
+  Model model = random_box(box, 1.0);  // 1000 and 3000 kg/m^3
+  model.numerics.viscosity_alpha = model.numerics.viscosity_beta = 0.0;
+  model.numerics.physical_viscosity = ViscosityForm::morris;
+  model.materials[0].dynamic_viscosity = 1.0;
+  model.materials[1].dynamic_viscosity = 1e6;
+  double const h = model.numerics.smoothing_length();
+  double const share = viscous_share(model.numerics, 2);
+  Simulation simulation(std::move(model));
+  simulation.advance();
+  EXPECT_EQ(simulation.vote().reason, viscous_limit);
+  EXPECT_NEAR(simulation.time_step(), share * h * h / (0.5 * (1.0 + 1e6) / 1000.0),
+              0.02 * simulation.time_step());  // the box starts with densities 1 % off
+}
 
 /// Kinetic energy of a shear wave after the same time in `steps` steps.
 double energy_after(ViscosityForm form, int steps) {

@@ -1,6 +1,7 @@
 // The backend of the optional terms as a template; instantiated in option_backends_*.cpp only.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "terms/options/moments.hpp"
@@ -23,7 +24,9 @@ class OptionBackendImpl final : public OptionBackend {
  public:
   OptionBackendImpl(SweepParameters const& sweep, OptionParameters const& options,
                     OptionMatter matter)
-      : options_(options), around_(sweep, std::move(matter)) {}
+      : options_(options),
+        largest_viscosity_(largest_of(matter.dynamic_viscosity)),
+        around_(sweep, std::move(matter)) {}
 
   void sum_densities(ParticleStore& store, Search const& search, WallData const& walls,
                      bool normalised) override {
@@ -199,10 +202,7 @@ class OptionBackendImpl final : public OptionBackend {
     double const rho = store.scalar(Field::density)[i];
     double const h = around_.own_smoothing(i);
     OptionOutcome own;
-    own.viscous_rate =
-        options_.viscosity == ViscosityForm::off
-            ? 0.0
-            : around_.records.fluid.get(i, PairField::dynamic_viscosity) / (rho * h * h);
+    own.viscous_rate = viscosity_felt_by(i) / (rho * h * h);
     own.viscous_particle = i;
     own.penalty_rate = sum_of_lanes(all.stiffness) / mass;
     own.penalty_particle = i;
@@ -223,7 +223,21 @@ class OptionBackendImpl final : public OptionBackend {
     outcome.add(own);
   }
 
+  /// mu [Pa s] that limits the step of a particle: in Morris' form that of its neighbours drags it
+  /// too, and none has more than the stiffest liquid. The harmonic mean of the other form is at
+  /// most twice the particle's own.
+  double viscosity_felt_by(std::size_t i) const {
+    if (options_.viscosity == ViscosityForm::off) return 0.0;
+    double const own = around_.records.fluid.get(i, PairField::dynamic_viscosity);
+    return options_.viscosity == ViscosityForm::morris ? 0.5 * (own + largest_viscosity_) : own;
+  }
+
+  static double largest_of(std::vector<double> const& values) {
+    return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+  }
+
   OptionParameters options_;
+  double largest_viscosity_;  // Pa s, of all materials
   OptionNeighbours<D, flavour, Scheme> around_;
   std::vector<double> scratch_;
   std::vector<Gradients> gradients_;

@@ -47,12 +47,26 @@ struct OptionNeighbours {
     sum_options<Pairing::fluid_fluid, FluidLayout, Real, D>(
         Constants(sweep), self(i), search.fluid_fluid().of(i), records.fluid.data(), terms, sum);
   }
-  /// Images at mirror walls are fluid too.
+  /// Images at mirror walls are fluid too. Where those walls keep the work, as in the main sweep
+  /// (terms/pair_backend_impl.hpp), de_i/dt = - v_i . dv_i/dt, and heat takes the difference.
   template <class Terms, class AnySum>
   void add_mirrored(Search const& search, std::size_t i, Terms const& terms, AnySum& sum) const {
     if (!sweep.mirror_walls || search.fluid_mirrored().of(i).empty()) return;
+    AnySum const before = sum;
     sum_options<Pairing::fluid_fluid, FluidLayout, Real, D>(
         Constants(sweep), self(i), search.fluid_mirrored().of(i), records.fluid.data(), terms, sum);
+    if constexpr (requires { sum.viscous_heat; })
+      if (sweep.walls_keep_work) keep_work(self(i), before, sum);
+  }
+  template <class Self, class AnySum>
+  static void keep_work(Self const& particle, AnySum const& before, AnySum& sum) {
+    Real const other =
+        sum.energy_rate - before.energy_rate - sum.viscous_heat + before.viscous_heat;
+    Real work = number<Real>(0);
+    for (int axis = 0; axis < D; ++axis)
+      work += (sum.acceleration[axis] - before.acceleration[axis]) * velocity(particle, axis);
+    sum.energy_rate = before.energy_rate - work;
+    sum.viscous_heat = before.viscous_heat - work - other;
   }
   template <class Terms, class AnySum>
   void add_walls(Search const& search, std::size_t i, Terms const& terms, AnySum& sum) const {
