@@ -17,7 +17,7 @@ struct MomentSum {
   Real matrix[symmetric_size<D>];  // - sum_j V_j x_ij (x) grad_i W_ij [-]
   Real concentration[D];           // sum_j V_j grad_i W_ij [1/m]
   Real density_slope[D];           // sum_j V_j (rho_j - rho_i) grad_i W_ij [kg/m^4]
-  Real fastest2;                   // max_j |v_ij|^2 within the support, walls apart [m^2/s^2]
+  Real fastest2;                   // max_j |v_ij|^2 within the support, dummies apart [m^2/s^2]
 };
 
 /// Adds one neighbour; with `of_one_material` only those of the same reference density.

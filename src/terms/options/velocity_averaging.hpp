@@ -11,7 +11,7 @@ namespace moraine {
 ///
 /// Source: Monaghan, J. Comput. Phys. 82 (1989) 1. epsilon 0 to 1, 0.5 is usual. v and the
 /// equations of motion stay what they are. sum m_i (dx_i/dt - v_i) = 0, since rho_ij is symmetric.
-/// Walls take no part.
+/// Walls of dummies take no part; images at mirrors are fluid and do.
 template <class Real>
 struct VelocityAveraging {
   Real epsilon;  // [-]
