@@ -182,6 +182,8 @@ export interface Member {
   run: number | null;
   values: (number | string)[];
   outputs: (number | null)[];
+  steps: number | null;
+  wall_time_s: number | null;
 }
 
 /** Largest number of a quantised position, and of a quantised value; one more stands for "none". */
