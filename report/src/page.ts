@@ -15,9 +15,9 @@ import { sweepSection } from "./sweep/section";
 import { stagesSection, timingSection } from "./tables/timing";
 
 const SECTIONS = [
-  factsSection,
-  sweepSection,
   qualitySection,
+  sweepSection,
+  factsSection,
   chartsSection,
   playerSection,
   energySection,

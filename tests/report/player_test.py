@@ -201,7 +201,7 @@ class PlayerTest(ReportTest):
             self.open("plane")
             self.assertIn("no WebGL", self.text("#particles .problem"))
             self.assertTrue(self.charts())
-            self.assertEqual(len(self.all("#quality .scroller:first-child tbody tr")), 4)
+            self.assertEqual(len(self.all("#quality .verdicts + .scroller tbody tr")), 4)
         finally:
             self.driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", added)
 

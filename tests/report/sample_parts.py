@@ -1,5 +1,7 @@
 """What all sample runs have in common: facts, quality, timing, settings."""
 
+SHA_256 = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"
+
 
 def common_parts():
     return {
@@ -12,6 +14,7 @@ def common_parts():
             {"label": "Computing time", "value": "3 min 12 s on 8 threads"},
             {"label": "Precision", "value": "mixed"},
             {"label": "Case", "value": "cases/dam-break-2d/case.toml"},
+            {"label": "SHA-256 of the case", "value": SHA_256},
         ],
         "quality": [
             {
