@@ -26,6 +26,8 @@ export interface Run {
   stages: Stage[];
   tables: Table[];
   references: Reference[];
+  measures: Measure[];
+  decays: Decay[];
   votes: Vote[];
   timing: Timing[];
   settings: Setting[];
@@ -116,6 +118,29 @@ export interface Reference {
   source: string;
   time: Numbers;
   value: Numbers;
+}
+
+export interface Measure {
+  gauge: string;
+  column: string;
+  unit: string;
+  seen: boolean;
+  first: number | null;
+  largest: number | null;
+  time_of_largest: number | null;
+  smallest: number | null;
+  time_of_smallest: number | null;
+  integral_over_time: number | null;
+  impulse: number | null;
+  arrival: number | null;
+  duration: number | null;
+}
+
+export interface Decay {
+  gauge: string;
+  exponent: number | null;
+  points: number | null;
+  scatter: number | null;
 }
 
 export type NumberType = "f64" | "f32" | "u32" | "u16" | "u8";

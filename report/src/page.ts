@@ -5,6 +5,7 @@ import { element } from "./dom";
 import { requireReport, type Report } from "./format";
 import { makeHeader } from "./header";
 import { followProgram } from "./live";
+import { measuresSection } from "./measures/section";
 import { playerSection } from "./player/section";
 import { citeSection } from "./tables/cite";
 import { energySection } from "./energy/section";
@@ -19,6 +20,7 @@ const SECTIONS = [
   sweepSection,
   factsSection,
   chartsSection,
+  measuresSection,
   playerSection,
   energySection,
   timingSection,

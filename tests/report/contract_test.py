@@ -25,6 +25,11 @@ until = { after = 0.002 }
 [[stage]]
 name = "second"
 """
+DECAY = """[[gauge]]
+name = "along"
+kind = "line"
+line = { from = [0.02, 0.02], to = [0.18, 0.02], points = 4, origin = [0.0, 0.0] }
+"""
 # Only live data have it, which are compared where the program is watched.
 LIVE_ONLY = ".runs[].progress."
 
@@ -51,7 +56,7 @@ class ContractTest(ProgramRun):
     def test_the_program_writes_what_the_samples_hold(self):
         case = (self.folder / "case.toml").read_text()
         gauge = re.search(r'gauge = "(.*)"', case)[1]
-        (self.folder / "staged.toml").write_text(case + STAGES)
+        (self.folder / "staged.toml").write_text(case + STAGES + DECAY)
         (self.folder / "sweep.toml").write_text(SWEEP.format(gauge=gauge))
         self.call("run", "staged.toml", "--output", "staged")
         self.call("sweep", "sweep.toml", "--output", "swept")

@@ -43,6 +43,7 @@ class PageTest(ReportTest):
                 "quality",
                 "facts",
                 "curves",
+                "measures",
                 "particles",
                 "energy",
                 "timing",
@@ -150,7 +151,7 @@ class PageTest(ReportTest):
             ),
             0,
         )
-        for section in ("facts", "quality", "stages", "timing", "settings", "cite", "curves"):
+        for section in ("facts", "quality", "stages", "timing", "settings", "cite", "curves", "measures"):
             self.assertIn(HOSTILE[0], self.text(f"#{section}"), section)
         self.assertIn(HOSTILE[1], self.text("#particles .note"))
         self.assertIn(HOSTILE[2], [label.text for label in self.all(".stage .label")])

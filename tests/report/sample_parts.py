@@ -1,5 +1,7 @@
 """What all sample runs have in common: facts, quality, timing, settings."""
 
+from sample_measures import decays, measures
+
 SHA_256 = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"
 
 
@@ -84,6 +86,8 @@ def common_parts():
                 "cause": "kinetic energy below 1e-3 J",
             },
         ],
+        "measures": measures(),
+        "decays": decays(),
         "votes": [
             {"reason": "sound speed", "steps": 20010, "share": 0.8, "least_time_step_s": 1.9e-5},
             {"reason": "viscosity", "steps": 5003, "share": 0.2, "least_time_step_s": 1.2e-5},
