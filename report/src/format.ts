@@ -162,13 +162,21 @@ export interface Particles {
   fields: Field[];
   materials: string[];
   frames: Frame[];
-  walls: { frames: WallFrame[] } | null;
+  walls: { frames: WallFrame[]; boxes: WallBox[] } | null;
   probes: Probe[];
+}
+
+export interface WallBox {
+  name: string;
+  min: number[];
+  max: number[];
+  open: string[];
 }
 
 export interface Probe {
   name: string;
   kind: string;
+  shape: "dot" | "line" | "box";
   points: number[][];
 }
 

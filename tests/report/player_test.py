@@ -181,6 +181,13 @@ class PlayerTest(ReportTest):
         self.click(boxes["Probes"])
         self.wait(lambda: not self.all(".stage .label"))
 
+    def test_walls_without_particles_are_outlines(self):
+        for name, count in (("many", 20000), ("line", 200)):
+            self.open_player(name, count)
+            shown = self.picture()
+            self.click(next(box for box in self.all(".panels .check") if box.text == "Walls"))
+            self.wait(lambda: self.picture() != shown, name)
+
     def test_one_dimension_is_a_profile(self):
         self.open_player("line", 200)
         self.click_stage(0.5, 0.5)

@@ -245,5 +245,5 @@ def small_cloud(blocks, field, note, names):
         "materials": names,
         "frames": [frame],
         "walls": None,
-        "probes": [{"name": n, "kind": n, "points": [[0.5, 0.5, 0]]} for n in names],
+        "probes": [{"name": n, "kind": n, "shape": "dot", "points": [[0.5, 0.5, 0]]} for n in names],
     }

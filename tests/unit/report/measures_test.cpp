@@ -31,8 +31,9 @@ TEST(ReportMeasures, HoldWhatTheSummaryHolds) {
 
 TEST(ReportMeasures, AreWithoutWhatIsNone) {
   for (char const* const text :
-       {"null", "[]", "{}", R"({"gauges": 3})", R"({"gauges": "P1"})", R"({"gauges": [1, null, []]})",
-        R"({"gauges": {"P1": {"name": 4}}})", R"({"gauges": [{"name": "P1"}]})",
+       {"null", "[]", "{}", R"({"gauges": 3})", R"({"gauges": "P1"})",
+        R"({"gauges": [1, null, []]})", R"({"gauges": {"P1": {"name": 4}}})",
+        R"({"gauges": [{"name": "P1"}]})",
         R"({"gauges": [{"name": "P1", "columns": [1], "decay": 2}]})",
         R"({"gauges": [{"name": "P1", "columns": {"P1 pressure": 7}, "decay": []}]})"}) {
     EXPECT_EQ(measures_of(json::parse(text)), Json::array()) << text;

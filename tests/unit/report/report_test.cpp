@@ -166,6 +166,17 @@ TEST_F(RunReport, ShowsParticlesWhereTheyWere) {
   EXPECT_FALSE(particles.at("walls").is_null());
 }
 
+TEST_F(RunReport, OutlinesWallsWithoutParticles) {
+  std::string text = small_tank;
+  std::string const form = "[[wall]]\n";
+  run("one", text.replace(text.find(form), form.size(), form + "method = \"mirror\"\n"));
+  PageReader const page = report({"one"});
+  auto const& walls = page.run().at("particles").at("walls");
+  EXPECT_EQ(walls.at("frames").size(), 0u);
+  EXPECT_EQ(walls.at("boxes").at(0).at("name"), "tank");
+  EXPECT_EQ(page.run().at("particles").at("box").at("max").at(1), 1.0) << "the whole tank";
+}
+
 TEST_F(RunReport, MarksDefaultsAmongTheSettings) {
   run("one");
   PageReader const page = report({"one"});
