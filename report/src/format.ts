@@ -219,10 +219,9 @@ export interface Member {
   wall_time_s: number | null;
 }
 
-/** Largest number of a quantised position, and of a quantised value; one more stands for "none". */
-export const POSITION_STEPS = 65535;
-export const VALUE_STEPS = 65534;
-export const NO_VALUE = 65535;
+/** Largest number of a quantised position or value; one more stands for "none". */
+export const STEPS = 65534;
+export const NONE = 65535;
 
 /** Throws where data are not what this page reads. */
 export function requireReport(data: unknown): Report {

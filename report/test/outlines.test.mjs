@@ -30,8 +30,27 @@ test("walls of a profile stand at its ends, those without an end are not drawn",
 
 test("boxes of probes are cut to the picture", () => {
   const probe = (points) => ({ name: "p", kind: "bubble", shape: "box", points });
-  const { segments, labels } = probeShapes([probe([[-1e9, -1e9, 0], [1, 1e9, 0]])], box);
+  const { segments, labels } = probeShapes(
+    [
+      probe([
+        [-1e9, -1e9, 0],
+        [1, 1e9, 0],
+      ]),
+    ],
+    box,
+  );
   assert.deepEqual(labels, [{ text: "p", point: [0, 0, 0] }]);
   assert.equal(Math.max(...segments), 1);
-  assert.equal(probeShapes([probe([[5, 5, 0], [6, 6, 0]])], box).segments.length, 0);
+  assert.equal(
+    probeShapes(
+      [
+        probe([
+          [5, 5, 0],
+          [6, 6, 0],
+        ]),
+      ],
+      box,
+    ).segments.length,
+    0,
+  );
 });

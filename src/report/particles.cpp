@@ -52,7 +52,7 @@ std::array<Interval, 3> box_of(ShownFrames const& shown, std::vector<Places> con
 Json positions_of(Places const& places, std::array<Interval, 3> const& box, Block& block) {
   auto list = Json::array();
   for (std::size_t axis = 0; axis < places.size(); ++axis)
-    list.push_back(block.add_u16(quantised(places[axis], box[axis], place_steps)));
+    list.push_back(block.add_u16(quantised(places[axis], box[axis])));
   return list;
 }
 
@@ -110,10 +110,9 @@ Json frames_of(std::string const& prefix, ShownFrames const& shown,
     json["position"] = positions_of(frame.places, box, block);
     json["values"] = Json::array();
     for (std::size_t k = 0; k < shown.fields.size(); ++k)
-      json["values"].push_back(
-          shown.fields[k].category
-              ? block.add_u8(categories(frame.values[k]))
-              : block.add_u16(quantised(frame.values[k], ranges[k], value_steps)));
+      json["values"].push_back(shown.fields[k].category
+                                   ? block.add_u8(categories(frame.values[k]))
+                                   : block.add_u16(quantised(frame.values[k], ranges[k])));
     list.push_back(std::move(json));
     blocks.add(block);
   }

@@ -7,6 +7,7 @@ from sample_report import gauges_table, sums_table
 
 FRAMES = 30
 CENTRE_ID = 7777
+NOWHERE_ID = 9999
 PRESSURE = (-500.0, 2500.0)  # Pa, over all frames
 SPEED = (0.0, 3.0)  # m/s
 PLANE = ((0.0, 0.0, 0.0), (2.0, 1.0, 0.0))
@@ -34,7 +35,7 @@ def make_frame(blocks, k, box, rows, dimension, prefix=""):
     block = f"{prefix}frame{k}"
     low, high = box
     places = [
-        [quantise(row[1][axis], low[axis], high[axis], 65535) for row in rows]
+        [quantise(row[1][axis], low[axis], high[axis], 65534) for row in rows]
         for axis in range(dimension)
     ]
     return {
@@ -100,7 +101,10 @@ def outline(box, *open_sides):
 
 def plane():
     blocks = Blocks()
-    frames = [make_frame(blocks, k, PLANE, plane_rows(k), 2) for k in range(FRAMES)]
+    nowhere = (NOWHERE_ID, (math.nan, 0.5, 0), 1000.0, 1.0, 0)
+    frames = [
+        make_frame(blocks, k, PLANE, [*plane_rows(k), nowhere], 2) for k in range(FRAMES)
+    ]
     border = [(2.0 * i / 100, 0.0) for i in range(101)] + [
         (x, i / 50) for i in range(51) for x in (0.0, 2.0)
     ]
@@ -108,7 +112,7 @@ def plane():
         "count": len(border),
         "position": [
             blocks.add(
-                "walls", [quantise(p[a], PLANE[0][a], PLANE[1][a], 65535) for p in border], "u16"
+                "walls", [quantise(p[a], PLANE[0][a], PLANE[1][a], 65534) for p in border], "u16"
             )
             for a in (0, 1)
         ],
@@ -156,7 +160,7 @@ def cube():
     wall = {
         "count": len(floor),
         "position": [
-            blocks.add("walls", [quantise(p[a], 0, 1, 65535) for p in floor], "u16")
+            blocks.add("walls", [quantise(p[a], 0, 1, 65534) for p in floor], "u16")
             for a in range(3)
         ],
     }

@@ -228,7 +228,7 @@ def small_cloud(blocks, field, note, names):
         "time_s": 0.0,
         "count": 3,
         "id": blocks.add("c", [1, 2, 9], "u32"),
-        "position": [blocks.add("c", [0, 30000, 65535], "u16") for _ in "xy"],
+        "position": [blocks.add("c", [0, 30000, 65534], "u16") for _ in "xy"],
         "values": [blocks.add("c", [0, 1, 65534], "u16"), blocks.add("c", [0, 1, 2], "u8")],
     }
     return {
