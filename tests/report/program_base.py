@@ -17,7 +17,7 @@ space.dimension = 2
 physics.gravity = [0.0, -9.81]
 resolution = {{ spacing = 0.02, smoothing_factor = 1.5 }}
 time = {{ end = {end} }}
-output = {{ frames = {frames}, gauges = 0.002 }}
+output = {{ frames = {frames}, gauges = {gauges} }}
 material.water = {{ eos = "tait", reference_sound_speed = 20.0 }}
 [[region]]
 name = "column"
@@ -62,7 +62,7 @@ class ProgramRun(ChartTest):
             file = f"curve-{number}.csv"
             (cls.folder / file).write_text(f"time [s],pressure [Pa]\n0,0\n0.1,{value}\n")
             curves += CURVE.format(name=sensor, gauge=GAUGE, file=file)
-        (cls.folder / name).write_text(CASE.format(end=end, frames=frames, gauge=GAUGE, curves=curves))
+        (cls.folder / name).write_text(CASE.format(end=end, frames=frames, gauges=frames / 5, gauge=GAUGE, curves=curves))
 
     @classmethod
     def call(cls, *arguments):
