@@ -53,11 +53,13 @@ function factsOfSeveral(runs: Run[]): HTMLElement {
     ),
   );
   rows.unshift(row("State", runs.map(stateText)));
-  return table(
+  const made = table(
     "Facts of the runs, side by side",
     ["", ...runs.map((run) => run.title || run.name)],
     rows,
   );
+  made.classList.add("first-fixed");
+  return made;
 }
 
 export function factsSection(app: App): Section {
