@@ -25,5 +25,5 @@ moraine run cases/dam-break-3d/case.toml --output "$out/dam-break-3d"
 picture "$out/dam-break-3d/report.html" $images/report-player-3d.png --at '#particles' --frame 0.5
 
 moraine sweep cases/tnt-in-water/sweeps/smoothing-factors.toml --output "$out/smoothing-factors"
-picture "$out/smoothing-factors/sweep.html" $images/sweep.png --at '#sweep' --height 700
+picture "$out/smoothing-factors/sweep.html" $images/sweep.png --at '#sweep' --height 860
 say "pictures: $images"

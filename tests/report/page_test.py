@@ -110,6 +110,21 @@ class PageTest(ReportTest):
             [cell.text for cell in self.all("#facts td strong")], ["20 mm", "10 mm", "5 mm"]
         )
 
+    def test_facts_of_many_runs_scroll_in_their_box(self):
+        browser.set_size(self.driver, browser.PHONE, is_phone=True)
+        self.open("sweep")
+        self.click(self.one("#facts summary"))
+        box, first = self.one("#facts .scroller"), self.one("#facts tbody td")
+        self.run_script("arguments[0].scrollLeft = 1e4", box)
+        scrolled, left = self.run_script(
+            "return [arguments[0].scrollLeft, arguments[1].getBoundingClientRect().left]", box, first
+        )
+        self.assertGreater(scrolled, 0)
+        self.assertGreaterEqual(left, 0)
+        self.assertLessEqual(
+            self.run_script("return document.documentElement.scrollWidth"), browser.PHONE[0]
+        )
+
     def test_a_damaged_block_is_told_and_the_rest_stays(self):
         text = (Shared.pages / "plane.html").read_text()
         text = text.replace('id="block:gauges"', 'id="block:gone"').replace(
