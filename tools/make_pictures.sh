@@ -19,11 +19,12 @@ moraine plot "$out/tnt-in-water"
 cp "$out/tnt-in-water/plots/pressure_particles_000005.png" $images/tnt-in-water.png
 picture "$out/tnt-in-water/report.html" $images/report-laptop.png --height 1500
 picture "$out/tnt-in-water/report.html" $images/report-phone.png --phone --at '#curves'
-picture "$out/tnt-in-water/report.html" $images/report-player.png --at '#particles' --frame 0.25 --dark
+picture "$out/tnt-in-water/report.html" $images/report-player.png --at '#particles' --frame 0.25 --own-range --dark
 
 moraine run cases/dam-break-3d/case.toml --output "$out/dam-break-3d"
-picture "$out/dam-break-3d/report.html" $images/report-player-3d.png --at '#particles' --frame 0.5
+picture "$out/dam-break-3d/report.html" $images/report-player-3d.png --at '#particles' --frame 0.5 \
+  --colour speed --own-range
 
 moraine sweep cases/tnt-in-water/sweeps/smoothing-factors.toml --output "$out/smoothing-factors"
-picture "$out/smoothing-factors/sweep.html" $images/sweep.png --at '#sweep' --height 700
+picture "$out/smoothing-factors/sweep.html" $images/sweep.png --at '#sweep' --height 860
 say "pictures: $images"

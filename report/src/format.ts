@@ -26,6 +26,8 @@ export interface Run {
   stages: Stage[];
   tables: Table[];
   references: Reference[];
+  measures: Measure[];
+  decays: Decay[];
   votes: Vote[];
   timing: Timing[];
   settings: Setting[];
@@ -118,6 +120,29 @@ export interface Reference {
   value: Numbers;
 }
 
+export interface Measure {
+  gauge: string;
+  column: string;
+  unit: string;
+  seen: boolean;
+  first: number | null;
+  largest: number | null;
+  time_of_largest: number | null;
+  smallest: number | null;
+  time_of_smallest: number | null;
+  integral_over_time: number | null;
+  impulse: number | null;
+  arrival: number | null;
+  duration: number | null;
+}
+
+export interface Decay {
+  gauge: string;
+  exponent: number | null;
+  points: number | null;
+  scatter: number | null;
+}
+
 export type NumberType = "f64" | "f32" | "u32" | "u16" | "u8";
 
 export interface Numbers {
@@ -137,13 +162,21 @@ export interface Particles {
   fields: Field[];
   materials: string[];
   frames: Frame[];
-  walls: { frames: WallFrame[] } | null;
+  walls: { frames: WallFrame[]; boxes: WallBox[] } | null;
   probes: Probe[];
+}
+
+export interface WallBox {
+  name: string;
+  min: number[];
+  max: number[];
+  open: string[];
 }
 
 export interface Probe {
   name: string;
   kind: string;
+  shape: "dot" | "line" | "box";
   points: number[][];
 }
 
@@ -182,12 +215,13 @@ export interface Member {
   run: number | null;
   values: (number | string)[];
   outputs: (number | null)[];
+  steps: number | null;
+  wall_time_s: number | null;
 }
 
-/** Largest number of a quantised position, and of a quantised value; one more stands for "none". */
-export const POSITION_STEPS = 65535;
-export const VALUE_STEPS = 65534;
-export const NO_VALUE = 65535;
+/** Largest number of a quantised position or value; one more stands for "none". */
+export const STEPS = 65534;
+export const NONE = 65535;
 
 /** Throws where data are not what this page reads. */
 export function requireReport(data: unknown): Report {

@@ -5,6 +5,7 @@ import { element } from "./dom";
 import { requireReport, type Report } from "./format";
 import { makeHeader } from "./header";
 import { followProgram } from "./live";
+import { measuresSection } from "./measures/section";
 import { playerSection } from "./player/section";
 import { citeSection } from "./tables/cite";
 import { energySection } from "./energy/section";
@@ -15,10 +16,11 @@ import { sweepSection } from "./sweep/section";
 import { stagesSection, timingSection } from "./tables/timing";
 
 const SECTIONS = [
-  factsSection,
-  sweepSection,
   qualitySection,
+  sweepSection,
+  factsSection,
   chartsSection,
+  measuresSection,
   playerSection,
   energySection,
   timingSection,

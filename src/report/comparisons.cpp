@@ -106,7 +106,7 @@ Json references_of(RunFiles& run, Block& block) {
     if (reference.file.empty()) continue;
     try {
       ReferenceCurve const curve = read_reference_curve(reference.file);
-      list.push_back({{"label", reference.name},
+      list.push_back({{"name", reference.name},
                       {"table", "gauges"},
                       {"column", column_of(*run.used_case, reference).name},
                       {"source", reference.source},

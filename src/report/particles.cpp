@@ -6,6 +6,7 @@
 #include <array>
 #include <exception>
 
+#include "report/outlines.hpp"
 #include "report/quantised.hpp"
 #include "report/settings.hpp"
 #include "report/shown_frames.hpp"
@@ -32,7 +33,8 @@ std::vector<Places> wall_places(RunFiles const& run, ShownFrames const& shown) {
   return walls;
 }
 
-std::array<Interval, 3> box_of(ShownFrames const& shown, std::vector<Places> const& walls) {
+std::array<Interval, 3> box_of(ShownFrames const& shown, std::vector<Places> const& walls,
+                               Json const& wall_boxes) {
   std::array<Interval, 3> box;
   auto const include = [&](Places const& places) {
     for (std::size_t axis = 0; axis < places.size(); ++axis)
@@ -40,13 +42,17 @@ std::array<Interval, 3> box_of(ShownFrames const& shown, std::vector<Places> con
   };
   for (ShownFrame const& frame : shown.frames) include(frame.places);
   for (Places const& places : walls) include(places);
+  for (auto const& wall : wall_boxes)
+    for (char const* const end : {"min", "max"})
+      for (std::size_t axis = 0; axis < static_cast<std::size_t>(shown.dimension); ++axis)
+        box[axis].include(wall[end][axis].get<double>());
   return box;
 }
 
 Json positions_of(Places const& places, std::array<Interval, 3> const& box, Block& block) {
   auto list = Json::array();
   for (std::size_t axis = 0; axis < places.size(); ++axis)
-    list.push_back(block.add_u16(quantised(places[axis], box[axis], place_steps)));
+    list.push_back(block.add_u16(quantised(places[axis], box[axis])));
   return list;
 }
 
@@ -104,10 +110,9 @@ Json frames_of(std::string const& prefix, ShownFrames const& shown,
     json["position"] = positions_of(frame.places, box, block);
     json["values"] = Json::array();
     for (std::size_t k = 0; k < shown.fields.size(); ++k)
-      json["values"].push_back(
-          shown.fields[k].category
-              ? block.add_u8(categories(frame.values[k]))
-              : block.add_u16(quantised(frame.values[k], ranges[k], value_steps)));
+      json["values"].push_back(shown.fields[k].category
+                                   ? block.add_u8(categories(frame.values[k]))
+                                   : block.add_u16(quantised(frame.values[k], ranges[k])));
     list.push_back(std::move(json));
     blocks.add(block);
   }
@@ -115,8 +120,8 @@ Json frames_of(std::string const& prefix, ShownFrames const& shown,
 }
 
 Json walls_of(std::string const& prefix, std::vector<Places> const& walls,
-              std::array<Interval, 3> const& box, Blocks& blocks) {
-  if (walls.empty()) return nullptr;
+              std::array<Interval, 3> const& box, Json boxes, Blocks& blocks) {
+  if (walls.empty() && boxes.empty()) return nullptr;
   auto list = Json::array();
   for (std::size_t n = 0; n < walls.size(); ++n) {
     Block block(fmt::format("{}/walls-{}", prefix, n));
@@ -124,25 +129,7 @@ Json walls_of(std::string const& prefix, std::vector<Places> const& walls,
         {{"count", walls[n].front().size()}, {"position", positions_of(walls[n], box, block)}});
     blocks.add(block);
   }
-  return {{"frames", std::move(list)}};
-}
-
-Json corner(Vec3 const& place) { return {place[0], place[1], place[2]}; }
-
-Json probes_of(Case const& c) {
-  auto list = Json::array();
-  for (GaugeSpec const& gauge : c.gauges) {
-    auto points = Json::array();
-    ProbeSpec const& probe = gauge.probe;
-    if (gauge.kind == GaugeKind::point) points = {corner(gauge.position)};
-    if (gauge.kind == GaugeKind::line) points = {corner(probe.line_from), corner(probe.line_to)};
-    if (gauge.kind == GaugeKind::level) points = {corner(probe.level_from), corner(probe.level_to)};
-    if (gauge.kind == GaugeKind::wall && probe.has_part)
-      points = {corner(probe.part_min), corner(probe.part_max)};
-    if (!points.empty())
-      list.push_back({{"name", gauge.name}, {"kind", kind_name(gauge)}, {"points", points}});
-  }
-  return list;
+  return {{"frames", std::move(list)}, {"boxes", std::move(boxes)}};
 }
 
 /// 1234567 as "1 234 567", with narrow blanks that do not break.
@@ -166,7 +153,8 @@ std::string note_of(ShownFrames const& shown) {
 
 Json particles_json(RunFiles const& run, ShownFrames const& shown, Blocks& blocks) {
   auto const walls = wall_places(run, shown);
-  auto const box = box_of(shown, walls);
+  auto const wall_boxes = run.used_case ? wall_boxes_of(*run.used_case) : Json::array();
+  auto const box = box_of(shown, walls, wall_boxes);
   auto const ranges = ranges_of(shown);
   Json json{{"dimension", shown.dimension},
             {"spacing", run.used_case ? run.used_case->numerics.spacing : 0.0}};
@@ -181,7 +169,7 @@ Json particles_json(RunFiles const& run, ShownFrames const& shown, Blocks& block
     for (MaterialSpec const& material : run.used_case->materials)
       json["materials"].push_back(material.name);
   json["frames"] = frames_of(run.prefix, shown, ranges, box, blocks);
-  json["walls"] = walls_of(run.prefix, walls, box, blocks);
+  json["walls"] = walls_of(run.prefix, walls, box, wall_boxes, blocks);
   json["probes"] = run.used_case ? probes_of(*run.used_case) : Json::array();
   return json;
 }

@@ -12,8 +12,7 @@ void Interval::include(double value) {
   any_ = true;
 }
 
-std::vector<std::uint16_t> quantised(std::span<double const> values, Interval const& interval,
-                                     double steps) {
+std::vector<std::uint16_t> quantised(std::span<double const> values, Interval const& interval) {
   // Halves, so that the length of an interval from -1e308 to 1e308 is a number.
   double const length = 0.5 * interval.max() - 0.5 * interval.min();
   std::vector<std::uint16_t> out;
@@ -24,7 +23,8 @@ std::vector<std::uint16_t> quantised(std::span<double const> values, Interval co
       continue;
     }
     double const share = length > 0.0 ? (0.5 * value - 0.5 * interval.min()) / length : 0.0;
-    out.push_back(static_cast<std::uint16_t>(std::lround(std::clamp(share, 0.0, 1.0) * steps)));
+    out.push_back(
+        static_cast<std::uint16_t>(std::lround(std::clamp(share, 0.0, 1.0) * steps_of_16_bits)));
   }
   return out;
 }

@@ -19,12 +19,11 @@ class Interval {
   bool any_ = false;
 };
 
-/// round((value - min) / (max - min) steps), cut off at 0 and `steps`; 0 in an interval without
-/// length; 65535 for what is not finite.
-std::vector<std::uint16_t> quantised(std::span<double const> values, Interval const& interval,
-                                     double steps);
+/// Of places and of values: the number after the last step stands for "none".
+inline constexpr double steps_of_16_bits = 65534.0;
 
-inline constexpr double place_steps = 65535.0;
-inline constexpr double value_steps = 65534.0;
+/// round((value - min) / (max - min) steps), cut off at 0 and the 65534 steps; 0 in an interval
+/// without length; 65535 for what is not finite.
+std::vector<std::uint16_t> quantised(std::span<double const> values, Interval const& interval);
 
 }  // namespace moraine::report

@@ -4,6 +4,7 @@
 
 #include "report/comparisons.hpp"
 #include "report/curves.hpp"
+#include "report/measures.hpp"
 #include "report/quality.hpp"
 #include "report/settings.hpp"
 
@@ -128,6 +129,8 @@ Json run_json(RunFiles& run, std::size_t most_rows, Blocks& blocks) {
           {"stages", stages_of(run)},
           {"tables", std::move(tables)},
           {"references", std::move(references)},
+          {"measures", measures_of(run.gauge_summary)},
+          {"decays", decays_of(run.gauge_summary)},
           {"votes", votes_of(run)},
           {"timing", timing_of(run)},
           {"settings", settings_json(run)},

@@ -4,6 +4,7 @@ import unittest
 import browser
 from report_test import ReportTest, Shared, time
 from sample_particles import MANY_NOTE
+from sample_parts import SHA_256
 from sample_report import HOSTILE
 from samples import SAMPLES
 from selenium.webdriver.common.keys import Keys
@@ -39,9 +40,10 @@ class PageTest(ReportTest):
         self.assertEqual(
             shown,
             [
-                "facts",
                 "quality",
+                "facts",
                 "curves",
+                "measures",
                 "particles",
                 "energy",
                 "timing",
@@ -53,7 +55,7 @@ class PageTest(ReportTest):
 
     def test_verdicts_are_words_and_shapes(self):
         self.open("gauges")
-        marks = [mark.text.split() for mark in self.all("#quality .scroller:first-child .verdict")]
+        marks = [mark.text.split() for mark in self.all("#quality .verdicts + .scroller .verdict")]
         self.assertEqual([mark[1] for mark in marks], ["good", "doubtful", "bad", "unknown"])
         self.assertEqual(len({mark[0] for mark in marks}), 4)
         text = self.text("#quality")
@@ -68,9 +70,37 @@ class PageTest(ReportTest):
         ):
             self.assertIn(wanted, text)
 
+    def test_the_page_begins_with_the_verdict(self):
+        self.open("gauges")
+        first = self.one("main section p, main section table")
+        self.assertEqual(
+            first.text.split("\n")[-1],
+            "1 good, 1 unknown, 1 doubtful, 1 bad. "
+            "Beside reference values: 1 good, 1 unknown, 1 bad.",
+        )
+        self.assertEqual(self.text(".verdicts .verdict"), "✖bad")
+
+    def is_seen(self, element):
+        """Not so inside of what is folded, which the driver takes for displayed."""
+        return self.run_script("return arguments[0].checkVisibility()", element)
+
+    def test_facts_are_folded_on_a_phone_and_long_ones_everywhere(self):
+        self.open("gauges")
+        value = self.one("#facts .long > code")
+        self.assertFalse(self.is_seen(value))
+        self.assertEqual(self.one("#facts .long summary").text, f"{SHA_256[:8]}…")
+        self.click(self.one("#facts .long summary"))
+        self.assertEqual(value.text, SHA_256)
+        browser.set_size(self.driver, browser.PHONE, is_phone=True)
+        self.open("gauges")
+        self.assertFalse(self.is_seen(self.one("#facts dl")))
+        self.assertIn("end time reached", self.one("#facts summary").text)
+        self.click(self.one("#facts summary"))
+        self.assertTrue(self.is_seen(self.one("#facts dl")))
+
     def test_the_run_is_chosen(self):
         self.open("overlaid")
-        rows = "#quality .scroller:first-child tbody tr"
+        rows = "#quality .verdicts + .scroller tbody tr"
         self.assertEqual(len(self.all(rows)), 2)
         Select(self.one("#run")).select_by_visible_text("Dam break, fine")
         self.assertEqual(len(self.all(rows)), 4)
@@ -78,6 +108,21 @@ class PageTest(ReportTest):
         self.assertEqual(heads[1:], ["Dam break, coarse", "Dam break, middle", "Dam break, fine"])
         self.assertEqual(
             [cell.text for cell in self.all("#facts td strong")], ["20 mm", "10 mm", "5 mm"]
+        )
+
+    def test_facts_of_many_runs_scroll_in_their_box(self):
+        browser.set_size(self.driver, browser.PHONE, is_phone=True)
+        self.open("sweep")
+        self.click(self.one("#facts summary"))
+        box, first = self.one("#facts .scroller"), self.one("#facts tbody td")
+        self.run_script("arguments[0].scrollLeft = 1e4", box)
+        scrolled, left = self.run_script(
+            "return [arguments[0].scrollLeft, arguments[1].getBoundingClientRect().left]", box, first
+        )
+        self.assertGreater(scrolled, 0)
+        self.assertGreaterEqual(left, 0)
+        self.assertLessEqual(
+            self.run_script("return document.documentElement.scrollWidth"), browser.PHONE[0]
         )
 
     def test_a_damaged_block_is_told_and_the_rest_stays(self):
@@ -121,7 +166,7 @@ class PageTest(ReportTest):
             ),
             0,
         )
-        for section in ("facts", "quality", "stages", "timing", "settings", "cite", "curves"):
+        for section in ("facts", "quality", "stages", "timing", "settings", "cite", "curves", "measures"):
             self.assertIn(HOSTILE[0], self.text(f"#{section}"), section)
         self.assertIn(HOSTILE[1], self.text("#particles .note"))
         self.assertIn(HOSTILE[2], [label.text for label in self.all(".stage .label")])

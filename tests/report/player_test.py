@@ -8,6 +8,8 @@ from sample_particles import (
     CENTRE_ID,
     CUBE,
     FRAMES,
+    NOWHERE_ID,
+    PRESSURE,
     centre_pressure,
     cube_rows,
     frame_time,
@@ -86,7 +88,7 @@ class PlayerTest(ReportTest):
         self.click_stage(0.5, 0.5)
         self.wait(lambda: self.values().get("id") == str(CENTRE_ID))
         values = self.values()
-        self.assertEqual((values["x"], values["y"]), ("1 m", "500.01 mm"))  # 16 bits over the box
+        self.assertEqual((values["x"], values["y"]), ("1 m", "500 mm ± 7.6 µm"))  # 16 bits over the box
         self.assertEqual(values["pressure"], f"{centre_pressure(0) / 1000:g} kPa")
         self.assertEqual((values["speed"], values["material"]), ("2 m/s", "light oil"))
         self.one(".transport input[type=range]").send_keys(*[Keys.ARROW_RIGHT] * 5)
@@ -104,6 +106,26 @@ class PlayerTest(ReportTest):
         field.clear()
         field.send_keys("123456", Keys.ENTER)
         self.wait(lambda: "not in this frame" in self.text(".values"))
+
+    def test_digits_are_those_that_16_bits_carry(self):
+        self.open_player("plane", 400)
+        rows = [row for row in plane_rows(0) if not math.isnan(row[2])]
+        number, _, pressure, *_ = min(rows, key=lambda row: abs(abs(row[2]) - 5.0))
+        self.one(".panels input[inputmode=numeric]").send_keys(str(number), Keys.ENTER)
+        self.wait(lambda: self.values().get("id") == str(number))
+        value, error = self.values()["pressure"].split(" ± ")
+        half_step = 0.5 * (PRESSURE[1] - PRESSURE[0]) / 65534  # Pa
+        self.assertEqual(error, f"{1000 * half_step:.2g} mPa")
+        self.assertAlmostEqual(float(value.split()[0]), pressure, delta=half_step + 0.005)
+        self.assertRegex(value, r"^-?\d+(\.\d{1,2})? Pa$")
+
+    def test_a_particle_that_is_nowhere_is_not_drawn(self):
+        self.open_player("plane", 400)
+        self.assertIn("400 of 401 particles", self.text(".count"))
+        self.one(".panels input[inputmode=numeric]").send_keys(str(NOWHERE_ID), Keys.ENTER)
+        self.wait(lambda: self.values().get("id") == str(NOWHERE_ID))
+        self.assertEqual(self.values()["x"], "–")
+        self.assertFalse(self.one(".stage .ring").is_displayed())
 
     def test_colours_are_those_of_the_values(self):
         self.open_player("plane", 400)
@@ -181,6 +203,13 @@ class PlayerTest(ReportTest):
         self.click(boxes["Probes"])
         self.wait(lambda: not self.all(".stage .label"))
 
+    def test_walls_without_particles_are_outlines(self):
+        for name, count in (("many", 20000), ("line", 200)):
+            self.open_player(name, count)
+            shown = self.picture()
+            self.click(next(box for box in self.all(".panels .check") if box.text == "Walls"))
+            self.wait(lambda: self.picture() != shown, name)
+
     def test_one_dimension_is_a_profile(self):
         self.open_player("line", 200)
         self.click_stage(0.5, 0.5)
@@ -201,7 +230,7 @@ class PlayerTest(ReportTest):
             self.open("plane")
             self.assertIn("no WebGL", self.text("#particles .problem"))
             self.assertTrue(self.charts())
-            self.assertEqual(len(self.all("#quality .scroller:first-child tbody tr")), 4)
+            self.assertEqual(len(self.all("#quality .verdicts + .scroller tbody tr")), 4)
         finally:
             self.driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", added)
 

@@ -1,67 +1,19 @@
 """The program's own pages: a run from case to report, hostile names, several runs, and a live page."""
 import csv
+import json
 import os
-import pathlib
 import re
 import subprocess
-import tempfile
 import unittest
+import urllib.request
 
-from chart_test_base import DIGITS, ChartTest, si
-from report_test import By
+from chart_test_base import DIGITS, si
+from contract_test import key_sets
+from program_base import GAUGE, MEASURED, NO_PROGRAM, PROGRAM, ProgramRun
+from sample_sweep import live_data
 
-PROGRAM = os.environ.get("MORAINE_PROGRAM", "")
-GAUGE = "bed <img src=x onerror=document.title='bad'>"
-
-# A column of water that falls over in a tank.
-CASE = """title = "dam </script><script>document.title='bad'</script>"
-space.dimension = 2
-physics.gravity = [0.0, -9.81]
-resolution = {{ spacing = 0.02, smoothing_factor = 1.5 }}
-time = {{ end = {end} }}
-output = {{ frames = 0.01, gauges = 0.002 }}
-material.water = {{ eos = "tait", reference_sound_speed = 20.0 }}
-[[region]]
-name = "column"
-material = "water"
-box = {{ min = [0.0, 0.0], max = [0.2, 0.3] }}
-hydrostatic_level = 0.3
-[[wall]]
-name = "tank"
-container = {{ min = [0.0, 0.0], max = [0.6, 0.4] }}
-[[gauge]]
-name = "{gauge}"
-position = [0.1, 0.02]
-[[reference]]
-name = "hydrostatic"
-gauge = "{gauge}"
-value = 2747
-tolerance = 0.2
-source = "rho g h"
-"""
-
-
-@unittest.skipUnless(PROGRAM, "MORAINE_PROGRAM does not name the program")
-class ProgramTest(ChartTest):
-    @classmethod
-    def setUpClass(cls):
-        super().setUpClass()
-        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="moraine-run-"))
-        cls.write_case("case.toml", 0.1)
-        cls.call("run", "case.toml", "--output", "one")
-
-    @classmethod
-    def write_case(cls, name, end):
-        (cls.folder / name).write_text(CASE.format(end=end, gauge=GAUGE))
-
-    @classmethod
-    def call(cls, *arguments):
-        subprocess.run([PROGRAM, *arguments], cwd=cls.folder, check=True, capture_output=True)
-
-    def open_file(self, path):
-        self.driver.get((self.folder / path).as_uri())
-        self.wait(lambda: self.all("main section:not([hidden])"))
-
+@unittest.skipUnless(PROGRAM, NO_PROGRAM)
+class ProgramTest(ProgramRun):
     def table(self, run="one"):
         with open(self.folder / run / "gauges.csv", newline="") as file:
             rows = list(csv.reader(file))
@@ -81,6 +33,21 @@ class ProgramTest(ChartTest):
                 si(readings[f"{GAUGE} pressure"]), written[1], delta=abs(written[1]) * DIGITS
             )
         self.assertEqual([u for u in self.requests() if not u.startswith(("file:", "data:"))], [])
+
+    def test_all_measured_curves_have_names_and_sources(self):
+        self.open_file("one/report.html")
+        chart = self.pressure_chart()
+        self.hover(chart, 0.99)
+        readings = self.readings(chart)
+        for name, value in MEASURED.items():
+            self.assertEqual(si(readings[name]), value)
+            self.assertIn(f"logbook of {name}", chart.text)
+        looks = self.run_script(
+            "return [...arguments[0].querySelectorAll('.swatch circle')]"
+            ".map(dot => dot.getAttribute('stroke') + dot.getAttribute('fill'))",
+            chart,
+        )
+        self.assertEqual(len(set(looks)), len(MEASURED), looks)
 
     def test_names_stay_names(self):
         self.open_file("one/report.html")
@@ -104,10 +71,13 @@ class ProgramTest(ChartTest):
         self.assertTrue(any("two" in name for name in names), names)
 
     def test_a_run_is_watched_while_it_goes_on(self):
-        self.write_case("long.toml", 1000)
+        # Few frames: each answer reads all of them, and the run is quick.
+        self.write_case("long.toml", 1000, frames=0.5)
         run = subprocess.Popen(
             [PROGRAM, "run", "long.toml", "--output", "long"],
             cwd=self.folder,
+            # The browser needs processors too.
+            env={**os.environ, "OMP_NUM_THREADS": "1"},
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
         )
@@ -120,6 +90,10 @@ class ProgramTest(ChartTest):
                 address = re.search(r"http://[\d.:]+/", watch.stdout.readline()).group()
                 self.driver.get(address)
                 self.wait(lambda: self.all("#curves .chart .u-over"))
+                with urllib.request.urlopen(address + "data.json") as answer:
+                    sets, known = key_sets(json.load(answer)), key_sets(live_data(1, 20, 2))
+                for part in (".", ".runs[].progress."):
+                    self.assertEqual(sets[part], known[part], part)
                 before = self.progress()
                 self.wait(lambda: self.progress() > before)
                 self.assertEqual([u for u in self.requests() if not u.startswith((address, "data:"))], [])

@@ -63,6 +63,8 @@ def run(name, title, **parts):
         "stages": [],
         "tables": [],
         "references": [],
+        "measures": [],
+        "decays": [],
         "votes": [],
         "timing": [],
         "settings": [],

@@ -3,7 +3,8 @@
 
 Usage: run_tests.py [--screenshot FOLDER] [NAME...]
 NAME: only tests with this in their names. --screenshot: only pictures of all samples, to look at.
-Needs the group "browser" of tools/packages.txt; exits with 77 where it is missing.
+Needs the group "browser" of tools/packages.txt; exits with 77 where it is missing, or with 1 where
+MORAINE_NEED_BROWSER says that it must be there.
 """
 import argparse
 import importlib.util
@@ -32,11 +33,13 @@ def require_browser():
             os.execv(DEBIAN_PYTHON, [DEBIAN_PYTHON, *sys.argv])
         missing.append("python3-selenium")
     if missing:
+        is_needed = os.environ.get("MORAINE_NEED_BROWSER", "") not in ("", "0")
+        word = "error" if is_needed else "skipped"
         print(
-            f"skipped: {', '.join(missing)} missing: tools/install_packages.sh browser",
+            f"{word}: {', '.join(missing)} missing: tools/install_packages.sh browser",
             file=sys.stderr,
         )
-        sys.exit(SKIPPED)
+        sys.exit(1 if is_needed else SKIPPED)
 
 
 class TimedResult(unittest.TextTestResult):

@@ -7,6 +7,7 @@ from sample_report import gauges_table, sums_table
 
 FRAMES = 30
 CENTRE_ID = 7777
+NOWHERE_ID = 9999
 PRESSURE = (-500.0, 2500.0)  # Pa, over all frames
 SPEED = (0.0, 3.0)  # m/s
 PLANE = ((0.0, 0.0, 0.0), (2.0, 1.0, 0.0))
@@ -34,7 +35,7 @@ def make_frame(blocks, k, box, rows, dimension, prefix=""):
     block = f"{prefix}frame{k}"
     low, high = box
     places = [
-        [quantise(row[1][axis], low[axis], high[axis], 65535) for row in rows]
+        [quantise(row[1][axis], low[axis], high[axis], 65534) for row in rows]
         for axis in range(dimension)
     ]
     return {
@@ -92,9 +93,18 @@ def cloud(dimension, box, spacing, frames, total, note, walls=None, probes=()):
     }
 
 
+def outline(box, *open_sides):
+    """A wall without particles."""
+    wall = {"name": "tank", "min": list(box[0]), "max": list(box[1]), "open": list(open_sides)}
+    return {"frames": [], "boxes": [wall]}
+
+
 def plane():
     blocks = Blocks()
-    frames = [make_frame(blocks, k, PLANE, plane_rows(k), 2) for k in range(FRAMES)]
+    nowhere = (NOWHERE_ID, (math.nan, 0.5, 0), 1000.0, 1.0, 0)
+    frames = [
+        make_frame(blocks, k, PLANE, [*plane_rows(k), nowhere], 2) for k in range(FRAMES)
+    ]
     border = [(2.0 * i / 100, 0.0) for i in range(101)] + [
         (x, i / 50) for i in range(51) for x in (0.0, 2.0)
     ]
@@ -102,21 +112,25 @@ def plane():
         "count": len(border),
         "position": [
             blocks.add(
-                "walls", [quantise(p[a], PLANE[0][a], PLANE[1][a], 65535) for p in border], "u16"
+                "walls", [quantise(p[a], PLANE[0][a], PLANE[1][a], 65534) for p in border], "u16"
             )
             for a in (0, 1)
         ],
     }
     probes = [
-        {"name": "P1", "kind": "point", "points": [[1.9, 0.1, 0]]},
-        {"name": "H1 level", "kind": "level", "points": [[0.5, 0, 0], [0.5, 0.9, 0]]},
-        {"name": "inlet", "kind": "box", "points": [[1.2, 0.1, 0], [1.5, 0.3, 0]]},
+        {"name": "P1", "kind": "point", "shape": "dot", "points": [[1.9, 0.1, 0]]},
+        {"name": "H1 level", "kind": "level", "shape": "line", "points": [[0.5, 0, 0], [0.5, 0.9, 0]]},
+        {
+            "name": "inlet",
+            "kind": "expression",
+            "shape": "box",
+            "points": [[1.2, 0.1, 0], [1.5, 0.3, 0]],
+        },
     ]
-    probes[2]["points"] = [[x, y, 0] for x in (1.2, 1.5) for y in (0.1, 0.3)]
     made = run(
         "plane",
         "Swaying water in a tank",
-        particles=cloud(2, PLANE, 0.05, frames, 400, "", {"frames": [wall]}, probes),
+        particles=cloud(2, PLANE, 0.05, frames, 400, "", {"frames": [wall], "boxes": []}, probes),
         tables=[gauges_table(blocks), sums_table(blocks)],
         **common_parts(),
     )
@@ -146,23 +160,24 @@ def cube():
     wall = {
         "count": len(floor),
         "position": [
-            blocks.add("walls", [quantise(p[a], 0, 1, 65535) for p in floor], "u16")
+            blocks.add("walls", [quantise(p[a], 0, 1, 65534) for p in floor], "u16")
             for a in range(3)
         ],
     }
     probes = [
-        {"name": "P1", "kind": "point", "points": [[0.99, 0.5, 0.1]]},
-        {"name": "H1", "kind": "level", "points": [[0.3, 0.5, 0], [0.3, 0.5, 1]]},
+        {"name": "P1", "kind": "point", "shape": "dot", "points": [[0.99, 0.5, 0.1]]},
+        {"name": "H1", "kind": "level", "shape": "line", "points": [[0.3, 0.5, 0], [0.3, 0.5, 1]]},
         {
             "name": "box",
-            "kind": "box",
-            "points": [[x, y, z] for x in (0.6, 0.8) for y in (0.3, 0.7) for z in (0.1, 0.4)],
+            "kind": "wall",
+            "shape": "box",
+            "points": [[0.6, 0.3, 0.1], [0.8, 0.7, 0.4]],
         },
     ]
     made = run(
         "cube",
         "Wave in a cubic tank",
-        particles=cloud(3, CUBE, 1 / 12, frames, 1728, "", {"frames": [wall]}, probes),
+        particles=cloud(3, CUBE, 1 / 12, frames, 1728, "", {"frames": [wall], "boxes": []}, probes),
         **common_parts(),
     )
     return page(report([made]), blocks, "Cubic tank")
@@ -185,7 +200,7 @@ def line():
         ]
         frames.append(make_frame(blocks, k, box, rows, 1))
     made = run(
-        "tube", "Shock tube", particles=cloud(1, box, 0.01, frames, 200, ""), **common_parts()
+        "tube", "Shock tube", particles=cloud(1, box, 0.01, frames, 200, "", outline(box)), **common_parts()
     )
     return page(report([made]), blocks, "Shock tube")
 
@@ -204,7 +219,7 @@ def bare():
         for count in (1, 0)
     ]
     particles = cloud(3, (CUBE[0], CUBE[0]), 0.1, frames, 1, "")
-    particles.update(fields=[], materials=[], probes=[{"name": "P", "kind": "", "points": []}])
+    particles.update(fields=[], materials=[], probes=[{"name": "P", "kind": "", "shape": "dot", "points": []}])
     tables = [
         {
             "name": name,
@@ -246,7 +261,7 @@ def many():
     made = run(
         "many",
         "A million particles",
-        particles=cloud(2, PLANE, 0.002, frames, 10**6, MANY_NOTE),
+        particles=cloud(2, PLANE, 0.002, frames, 10**6, MANY_NOTE, outline(PLANE, "y+")),
         tables=[gauges_table(blocks)],
         **common_parts(),
     )

@@ -1,5 +1,9 @@
 """What all sample runs have in common: facts, quality, timing, settings."""
 
+from sample_measures import decays, measures
+
+SHA_256 = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"
+
 
 def common_parts():
     return {
@@ -12,6 +16,7 @@ def common_parts():
             {"label": "Computing time", "value": "3 min 12 s on 8 threads"},
             {"label": "Precision", "value": "mixed"},
             {"label": "Case", "value": "cases/dam-break-2d/case.toml"},
+            {"label": "SHA-256 of the case", "value": SHA_256},
         ],
         "quality": [
             {
@@ -81,6 +86,8 @@ def common_parts():
                 "cause": "kinetic energy below 1e-3 J",
             },
         ],
+        "measures": measures(),
+        "decays": decays(),
         "votes": [
             {"reason": "sound speed", "steps": 20010, "share": 0.8, "least_time_step_s": 1.9e-5},
             {"reason": "viscosity", "steps": 5003, "share": 0.2, "least_time_step_s": 1.2e-5},

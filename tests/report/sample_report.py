@@ -2,6 +2,7 @@
 import math
 
 from report_writer import Blocks, column, page, quantise, report, run
+from sample_measures import measure, measures
 from sample_parts import common_parts
 
 END = 0.5  # s, of all runs with gauges
@@ -155,6 +156,7 @@ def overlaid():
     for name, (rows, scale) in OVERLAID.items():
         parts = common_parts()
         parts["facts"][2]["value"] = {"coarse": "20 mm", "middle": "10 mm", "fine": "5 mm"}[name]
+        parts["measures"] = measures(scale)
         parts["quality"] = parts["quality"][: 2 if name == "coarse" else 4]
         parts["tables"] = [gauges_table(blocks, rows, scale, name), sums_table(blocks, rows, name)]
         runs.append(run(name, f"Dam break, {name}", **parts))
@@ -204,6 +206,8 @@ def hostile():
                 "value": blocks.add("g", at),
             }
         ],
+        "measures": [measure(t, t, t, seen=False, largest=1.0) for t in bad],
+        "decays": [{"gauge": t, "exponent": -1.0, "points": 2, "scatter": 0.0} for t in bad],
         "votes": [{"reason": t, "steps": 1, "share": 0.2, "least_time_step_s": None} for t in bad],
         "timing": [{"label": t, "seconds": 1.0, "calls": 1} for t in bad],
         "settings": [
@@ -224,7 +228,7 @@ def small_cloud(blocks, field, note, names):
         "time_s": 0.0,
         "count": 3,
         "id": blocks.add("c", [1, 2, 9], "u32"),
-        "position": [blocks.add("c", [0, 30000, 65535], "u16") for _ in "xy"],
+        "position": [blocks.add("c", [0, 30000, 65534], "u16") for _ in "xy"],
         "values": [blocks.add("c", [0, 1, 65534], "u16"), blocks.add("c", [0, 1, 2], "u8")],
     }
     return {
@@ -241,5 +245,5 @@ def small_cloud(blocks, field, note, names):
         "materials": names,
         "frames": [frame],
         "walls": None,
-        "probes": [{"name": n, "kind": n, "points": [[0.5, 0.5, 0]]} for n in names],
+        "probes": [{"name": n, "kind": n, "shape": "dot", "points": [[0.5, 0.5, 0]]} for n in names],
     }

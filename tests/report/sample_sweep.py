@@ -37,6 +37,8 @@ def sweep():
                     "run": index,
                     "values": [spacing, kernel],
                     "outputs": [None, None] if failed else [peak(spacing, kernel), 30.0 / spacing],
+                    "steps": 812 if failed else 25013,
+                    "wall_time_s": 30.0 / spacing,
                 }
             )
     members.append(
@@ -47,6 +49,8 @@ def sweep():
             "run": None,
             "values": [0.0025, KERNELS[0]],
             "outputs": [None, None],
+            "steps": None,
+            "wall_time_s": None,
         }
     )
     content = report(

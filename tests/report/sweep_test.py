@@ -20,10 +20,11 @@ class SweepTest(ReportTest):
         self.assertEqual(len(self.cells(1)), 7)
         heads = self.all("#sweep thead button")
         self.click(heads[3])  # largest pressure
+        self.assertIn("largest pressure [kPa]", self.text("#sweep thead"))
         rising = [float(text) for text in self.cells(4) if text != "–"]
         self.assertEqual(
             rising,
-            sorted(peak(s, k) for s in SPACINGS for k in KERNELS if (s, k) != (0.005, KERNELS[1])),
+            sorted(peak(s, k) / 1000 for s in SPACINGS for k in KERNELS if (s, k) != (0.005, KERNELS[1])),
         )
         self.click(self.all("#sweep thead button")[3])
         self.assertEqual([float(t) for t in self.cells(4) if t != "–"], rising[::-1])

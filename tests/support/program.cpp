@@ -23,8 +23,9 @@ std::string text_of(std::filesystem::path const& file) {
 /// In the child: everything is set, become the program.
 [[noreturn]] void become(char const* folder, char** arguments, rlim_t largest_file) {
   rlimit const limit{largest_file, RLIM_INFINITY};
-  bool const ready = chdir(folder) == 0 && setenv("OMP_NUM_THREADS", "2", 1) == 0 &&
-                     setrlimit(RLIMIT_FSIZE, &limit) == 0;
+  // Before any file is made: without its folder they would land wherever the tests run.
+  if (chdir(folder) != 0) _exit(127);
+  bool const ready = setenv("OMP_NUM_THREADS", "2", 1) == 0 && setrlimit(RLIMIT_FSIZE, &limit) == 0;
   int const flags = O_WRONLY | O_CREAT | O_TRUNC;
   int const out = open("out", flags, 0600);
   int const err = open("err", flags, 0600);

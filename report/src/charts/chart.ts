@@ -2,31 +2,18 @@
 import type uPlot from "uplot";
 import type { App } from "../app";
 import { announce, button, element } from "../dom";
-import { align, unionOfTimes } from "./align";
+import { align } from "./align";
 import type { Limits, Zoom } from "./axes";
+import { hintOf, xTextOf, type ChartOptions } from "./chart_options";
 import { loadCurves, type Curve } from "./curves";
 import { addKeys, addTouch, addWheel } from "./gestures";
 import { chartPicture } from "./picture";
-import { limitsOfX, makePlot, yScale } from "./plot";
+import { makePlot } from "./plot";
 import { curveNames, makeReading, type Entry, type Reading } from "./reading";
 import { rowsOfCurves } from "./rows_of_curves";
 import { csv, save, savePicture } from "./save";
-import { withUnit } from "../units";
-import { styles, type ColourBy } from "./style";
-
-export interface ChartOptions {
-  title: string;
-  isLogX: boolean;
-  isLogY: boolean;
-  colourBy: ColourBy | "auto";
-  /** Curves to draw; by default the chosen columns of all runs that are shown. */
-  load?: () => Promise<Curve[]>;
-  xName?: string;
-  xUnit?: string;
-  xNames?: string[] | null;
-  hasRoomX?: boolean;
-  yName?: string;
-}
+import { styles } from "./style";
+import { wholeOf, zoomOfSelection } from "./zoom";
 
 const SYNC_KEY = "curves";
 /** Keys may be held down: only the place where they rest is announced. */
@@ -156,7 +143,7 @@ export class Chart {
     this.drawnWidth = this.area.clientWidth;
     this.reading = makeReading(
       this.entries,
-      (x) => this.xText(x),
+      (x) => xTextOf(options, x),
       (i) => this.toggle(i),
     );
     this.plot = makePlot(
@@ -190,16 +177,7 @@ export class Chart {
     this.entries.forEach((entry, i) => this.hidden.has(entry.name) && this.hide(i));
     if (before >= 0) this.plot.setCursor({ left: before, top: 10 });
     else this.reading.show(null);
-    this.sayWhatIsMissing();
-  }
-
-  private sayWhatIsMissing(): void {
-    const log = this.options.isLogY
-      ? "Zero and negative values have no place on a logarithmic axis. "
-      : "";
-    const thinned = [...new Set(this.curves.map(({ note }) => note))].filter(Boolean).join(", ");
-    const rows = thinned && `Rows in this page: ${thinned}, extremes kept.`;
-    this.hint.textContent = this.curves.length === 0 ? "Choose curves." : log + rows;
+    this.hint.textContent = hintOf(curves, options.isLogY);
   }
 
   private height(): number {
@@ -214,12 +192,7 @@ export class Chart {
   }
 
   private whole(): Limits {
-    const { isLogX, hasRoomX } = this.options;
-    return limitsOfX(
-      unionOfTimes(this.curves).filter((t) => !isLogX || t > 0),
-      isLogX,
-      hasRoomX ?? false,
-    );
+    return wholeOf(this.curves, this.options.isLogX, this.options.hasRoomX ?? false);
   }
 
   private zoomTo(zoom: Zoom): void {
@@ -235,24 +208,10 @@ export class Chart {
   }
 
   private selected(plot: uPlot): void {
-    const { left, top, width, height } = plot.select;
-    if (width < 3 && height < 3) return;
-    const zoom: Zoom = { ...this.zoom };
-    if (width >= 3 && width < plot.over.clientWidth - 1)
-      zoom.x = [plot.posToVal(left, "x"), plot.posToVal(left + width, "x")];
-    if (height >= 3 && height < plot.over.clientHeight - 1) {
-      for (const unit of new Set(this.curves.map((curve) => curve.unit))) {
-        const scale = yScale(unit);
-        zoom[scale] = [plot.posToVal(top + height, scale), plot.posToVal(top, scale)];
-      }
-    }
+    const zoom = zoomOfSelection(plot, this.curves, this.zoom);
+    if (!zoom) return;
     plot.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
     this.zoomTo(zoom);
-  }
-
-  private xText(x: number): string {
-    const { xName = "time", xUnit = "s", xNames } = this.options;
-    return `${xName} ${xNames ? (xNames[x] ?? "") : withUnit(x, xUnit, 6)}`;
   }
 
   private moved(): void {

@@ -109,7 +109,7 @@ export async function loadCurves(app: App, keys: string[], runs: Run[]): Promise
         if (!column) continue;
         loading.push(columnCurve(app, run, table, column));
         for (const reference of run.references) {
-          const name = `${key}\n${reference.name}`;
+          const name = `${key}\n${reference.name}\n${reference.source}`;
           if (columnKey(reference.table, reference.column) !== key || seen.has(name)) continue;
           seen.add(name);
           loading.push(referenceCurve(app, run, reference, column));

@@ -39,6 +39,8 @@ function drawEntry(context: CanvasRenderingContext2D, { entry, x, y }: Placed, t
     context.lineTo(x + 26, top + y + 10);
   }
   context.stroke();
+  context.fillStyle = entry.style.colour;
+  if (entry.curve.isDots && entry.style.isFilled) context.fill();
   context.setLineDash([]);
   context.fillStyle = styleColour("--text");
   context.fillText(entry.name, x + 34, top + y + 14);

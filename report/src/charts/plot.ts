@@ -91,7 +91,7 @@ function makeSeries(curve: Curve, style: CurveStyle): uPlot.Series {
         size: 6,
         width: 1.5,
         stroke: style.colour,
-        fill: styleColour("--background"),
+        fill: style.isFilled ? style.colour : styleColour("--background"),
       },
     };
   }

@@ -36,7 +36,9 @@ function swatch(entry: Entry): SVGSVGElement {
   svg.setAttribute("aria-hidden", "true");
   const isDot = entry.curve.isDots;
   const shape = document.createElementNS("http://www.w3.org/2000/svg", isDot ? "circle" : "line");
-  const place = isDot ? { cx: 13, cy: 5, r: 3, fill: "none" } : { x1: 0, y1: 5, x2: 26, y2: 5 };
+  const place = isDot
+    ? { cx: 13, cy: 5, r: 3, fill: entry.style.isFilled ? entry.style.colour : "none" }
+    : { x1: 0, y1: 5, x2: 26, y2: 5 };
   for (const [name, value] of Object.entries(place)) shape.setAttribute(name, String(value));
   shape.setAttribute("stroke", entry.style.colour);
   shape.setAttribute("stroke-width", "2");
@@ -66,12 +68,15 @@ export function makeReading(
       attributes: {
         type: "button",
         "aria-pressed": "true",
-        title: entry.curve.source || "hide or show",
+        title: "hide or show",
       },
     });
     item.addEventListener("click", () => item.setAttribute("aria-pressed", String(toggle(index))));
     item.append(swatch(entry), element("span", { class: "name" }, entry.name));
-    list.append(element("li", {}, item, value));
+    const { source } = entry.curve;
+    list.append(
+      element("li", {}, item, value, source && element("span", { class: "source" }, source)),
+    );
     return value;
   });
   return {

@@ -8,6 +8,8 @@ export type ColourBy = "run" | "curve";
 export interface CurveStyle {
   colour: string;
   dash: number[];
+  /** Of dots: filled ones beside hollow ones of the same column. */
+  isFilled: boolean;
 }
 
 /**
@@ -23,16 +25,31 @@ export function seriesColour(index: number): string {
   return styleColour(`--series-${index % COLOURS}`);
 }
 
+/** How many measured curves of the same column come before each curve. */
+function placesAmongDots(curves: Curve[]): number[] {
+  const count = new Map<string, number>();
+  return curves.map(({ key, isDots }) => {
+    const before = count.get(key) ?? 0;
+    if (isDots) count.set(key, before + 1);
+    return isDots ? before : 0;
+  });
+}
+
 /** Runs keep their colour in all charts: it goes by their place in the report. */
 export function styles(curves: Curve[], runs: Run[], by: ColourBy): CurveStyle[] {
   const keys = [...new Set(curves.map((curve) => curve.key))];
-  return curves.map((curve) => {
+  const places = placesAmongDots(curves);
+  // Colours after those of the lines are for further measured curves.
+  let next = by === "run" ? runs.length : keys.length;
+  return curves.map((curve, i) => {
     const run = curve.run ? runs.indexOf(curve.run) : 0;
     const column = keys.indexOf(curve.key);
     const [colour, dash] = by === "run" ? [run, column] : [column, run];
+    const isFilled = places[i] % 2 === 1;
+    if (places[i] > 0) return { colour: seriesColour(next++), dash: [], isFilled };
     // Measured values belong to none of several runs.
-    if (by === "run" && curve.isDots) return { colour: styleColour("--text"), dash: [] };
+    if (by === "run" && curve.isDots) return { colour: styleColour("--text"), dash: [], isFilled };
     const turn = by === "run" ? 0 : Math.floor(column / COLOURS);
-    return { colour: seriesColour(colour), dash: DASHES[(dash + turn) % DASHES.length] };
+    return { colour: seriesColour(colour), dash: DASHES[(dash + turn) % DASHES.length], isFilled };
   });
 }

@@ -89,7 +89,8 @@ export class Followed {
     const values = await valuesOf(this.app, state.particles, picture.frame, index);
     if (picture !== this.picture || id !== this.id) return;
     this.panel.show(state.particles, id, point, values);
-    this.stage().mark(point);
-    if (this.staysInView) this.stage().scene.lookAt(point);
+    const isSomewhere = point.every((x) => Number.isFinite(x));
+    this.stage().mark(isSomewhere ? point : null);
+    if (this.staysInView && isSomewhere) this.stage().scene.lookAt(point);
   }
 }

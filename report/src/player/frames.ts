@@ -1,7 +1,7 @@
 // Frames of the particles, decoded when they are asked for.
 import type { App } from "../app";
 import type { NumberArray } from "../blocks";
-import { NO_VALUE, POSITION_STEPS, VALUE_STEPS, type Field, type Particles } from "../format";
+import { NONE, STEPS, type Field, type Particles } from "../format";
 
 /** One frame with one field's values, as the scene wants it. */
 export interface Picture {
@@ -15,23 +15,18 @@ export interface Picture {
   high: number;
 }
 
-const MIDDLE = (POSITION_STEPS + 1) / 2;
-
-export function positionOf(particles: Particles, axis: number, quantised: number): number {
-  const { min, max } = particles.box;
-  return min[axis] + (quantised / POSITION_STEPS) * (max[axis] - min[axis]);
-}
+const MIDDLE = STEPS / 2;
 
 export function valueOf(field: Field, quantised: number): number {
   if (field.kind === "category") return quantised;
-  if (quantised === NO_VALUE) return NaN;
-  return field.min + (quantised / VALUE_STEPS) * (field.max - field.min);
+  if (quantised === NONE) return NaN;
+  return field.min + (quantised / STEPS) * (field.max - field.min);
 }
 
 export function quantisedOf(field: Field, value: number): number {
   if (field.kind === "category") return value;
   const span = field.max - field.min;
-  return span > 0 ? ((value - field.min) / span) * VALUE_STEPS : 0;
+  return span > 0 ? ((value - field.min) / span) * STEPS : 0;
 }
 
 /** Places between components: those that a run of fewer dimensions lacks are in the middle. */
@@ -50,7 +45,7 @@ function interleave(
 }
 
 function extremes(quads: Uint16Array, field: Field | undefined): { low: number; high: number } {
-  const none = field?.kind === "category" ? -1 : NO_VALUE;
+  const none = field?.kind === "category" ? -1 : NONE;
   let [low, high] = [Infinity, -Infinity];
   for (let i = 3; i < quads.length; i += 4) {
     const value = quads[i];
@@ -79,12 +74,11 @@ export async function loadPicture(
 
 /** In one dimension the value is drawn over x. */
 function raise(quads: Uint16Array, field: Field | undefined): void {
-  const scale =
-    field?.kind === "category"
-      ? POSITION_STEPS / Math.max(1, field.max)
-      : POSITION_STEPS / VALUE_STEPS;
-  for (let i = 0; i < quads.length; i += 4)
-    quads[i + 1] = Math.min(POSITION_STEPS, quads[i + 3] * scale);
+  const isCategory = field?.kind === "category";
+  const scale = isCategory ? STEPS / Math.max(1, field.max) : 1;
+  // What has no value has no height either.
+  const most = isCategory ? STEPS : NONE;
+  for (let i = 0; i < quads.length; i += 4) quads[i + 1] = Math.min(most, quads[i + 3] * scale);
 }
 
 export async function loadWalls(

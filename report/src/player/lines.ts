@@ -1,4 +1,4 @@
-// Lines of the picture: the box and the probes.
+// Lines of the picture: the box, outlines of walls, the probes.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -38,6 +38,7 @@ function withPositions(positions: Float32Array): BufferGeometry {
 export class Lines {
   readonly group = new Group();
   private readonly box = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
+  private readonly walls = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
   private readonly probes = new LineSegments(
     new BufferGeometry(),
     new LineBasicMaterial({ depthTest: false }),
@@ -48,15 +49,16 @@ export class Lines {
   );
 
   constructor() {
-    for (const part of [this.box, this.probes, this.dots]) {
+    for (const part of [this.box, this.walls, this.probes, this.dots]) {
       part.frustumCulled = false;
-      part.renderOrder = part === this.box ? 0 : 3;
+      part.renderOrder = part === this.box || part === this.walls ? 0 : 3;
       this.group.add(part);
     }
   }
 
   setTheme(theme: SceneTheme): void {
     this.box.material.color.setStyle(theme.line);
+    this.walls.material.color.setStyle(theme.wall);
     this.probes.material.color.setStyle(theme.accent);
     this.dots.material.color.setStyle(theme.accent);
   }
@@ -67,6 +69,12 @@ export class Lines {
     this.box.geometry = withPositions(
       new Float32Array(edges.flatMap(([a, b]) => [...corner(box, a), ...corner(box, b)])),
     );
+  }
+
+  setWalls(segments: Float32Array): void {
+    this.walls.geometry.dispose();
+    this.walls.geometry = withPositions(segments);
+    this.walls.visible = segments.length > 0;
   }
 
   setProbes(segments: Float32Array, dots: Float32Array): void {

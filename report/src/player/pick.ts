@@ -1,5 +1,5 @@
 // Which particle is at a place of the picture; how many a slice leaves.
-import { POSITION_STEPS } from "../format";
+import { NONE, STEPS } from "../format";
 import type { SceneBox, Slice } from "./scene_interface";
 
 export interface Spot {
@@ -26,9 +26,18 @@ export function project(
   };
 }
 
+/** Not so for a particle that is nowhere: one of its components is none. */
+function isSomewhere(quads: Uint16Array, index: number): boolean {
+  return [0, 1, 2].every((axis) => quads[4 * index + axis] !== NONE);
+}
+
+/** Not-a-number where there is none. */
 export function place(box: SceneBox, quads: Uint16Array, index: number): [number, number, number] {
-  const at = (axis: number) =>
-    box.min[axis] + (quads[4 * index + axis] / POSITION_STEPS) * (box.max[axis] - box.min[axis]);
+  const at = (axis: number) => {
+    const quantised = quads[4 * index + axis];
+    if (quantised === NONE) return NaN;
+    return box.min[axis] + (quantised / STEPS) * (box.max[axis] - box.min[axis]);
+  };
   return [at(0), at(1), at(2)];
 }
 
@@ -64,6 +73,7 @@ export function pick(picking: Picking, x: number, y: number): number {
   let best = -1;
   let least = Infinity;
   for (let i = 0; i < quads.length / 4; ++i) {
+    if (!isSomewhere(quads, i)) continue;
     const [px, py, pz] = place(box, quads, i);
     const spot = project(matrix, px, py, pz, width, height);
     const away = Math.hypot(spot.x - x, spot.y - y);
@@ -84,7 +94,8 @@ export function countDrawn(
 ): number {
   let drawn = 0;
   for (let i = 0; i < quads.length / 4; ++i) {
-    if (!isHidden(quads[4 * i + 3]) && isInSlice(box, quads, i, slice)) ++drawn;
+    if (isHidden(quads[4 * i + 3]) || !isSomewhere(quads, i)) continue;
+    if (isInSlice(box, quads, i, slice)) ++drawn;
   }
   return drawn;
 }

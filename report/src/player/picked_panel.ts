@@ -1,7 +1,8 @@
 // The picked particle: its number, place and all its values, followed through the frames.
 import { button, checkbox, element, field } from "../dom";
 import type { Particles } from "../format";
-import { formatNumber, withUnit, words } from "../units";
+import { formatNumber, words } from "../units";
+import { stepOf, withResolution } from "./resolution";
 
 export interface PickedEvents {
   find(id: number): void;
@@ -57,16 +58,19 @@ export class PickedPanel {
     this.id.value = String(id);
     this.more.hidden = false;
     const rows: [string, string][] = [["id", String(id)]];
-    position
-      .slice(0, particles.dimension)
-      .forEach((x, axis) => rows.push(["xyz"[axis], withUnit(x, "m", 5)]));
+    position.slice(0, particles.dimension).forEach((x, axis) => {
+      const step = stepOf(particles.box.min[axis], particles.box.max[axis]);
+      rows.push(["xyz"[axis], withResolution(x, step, "m", 5)]);
+    });
     particles.fields.forEach((f, i) => {
       const isMaterial = f.name === "material" && f.kind === "category";
       const name = isMaterial ? (particles.materials[values[i]] ?? String(values[i])) : null;
       rows.push([
         words(f.name),
         name ??
-          (f.kind === "category" ? formatNumber(values[i], 9) : withUnit(values[i], f.unit, 4)),
+          (f.kind === "category"
+            ? formatNumber(values[i], 9)
+            : withResolution(values[i], stepOf(f.min, f.max), f.unit, 4)),
       ]);
     });
     this.values.replaceChildren(

@@ -9,6 +9,7 @@ import { categoryTable, viridis } from "./colours";
 import { Followed } from "./followed";
 import { loadPicture, loadWalls, type Picture } from "./frames";
 import { addPlayerKeys } from "./keys";
+import { wallOutlines } from "./outlines";
 import { countDrawn } from "./pick";
 import { playerPicture } from "./picture";
 import { probeShapes } from "./probes";
@@ -162,12 +163,14 @@ export class Player {
 
   private async showWalls(frame = this.state.frame): Promise<void> {
     const { showsWalls, particles } = this.state;
+    const boxes = showsWalls ? (particles.walls?.boxes ?? []) : [];
+    this.stage.scene.setWallOutlines(wallOutlines(boxes, sceneBox(particles)));
     this.stage.scene.setWalls(showsWalls ? await loadWalls(this.app, particles, frame) : null);
     this.stage.draw();
   }
 
   private showProbes(): void {
-    const shapes = probeShapes(this.state.particles);
+    const shapes = probeShapes(this.state.particles.probes, sceneBox(this.state.particles));
     const none = new Float64Array(0);
     const shows = this.state.showsProbes;
     this.stage.scene.setProbes(shows ? shapes.segments : none, shows ? shapes.dots : none);

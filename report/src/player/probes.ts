@@ -1,5 +1,7 @@
 // Probes as segments and dots: a place, a line, a box.
-import type { Particles, Probe } from "../format";
+import type { Probe } from "../format";
+import { boxEdges, space } from "./outlines";
+import type { SceneBox } from "./scene_interface";
 import type { Label } from "./stage";
 
 export interface ProbeShapes {
@@ -8,40 +10,36 @@ export interface ProbeShapes {
   labels: Label[];
 }
 
-function space(point: number[]): number[] {
-  return [point[0] ?? 0, point[1] ?? 0, point[2] ?? 0];
+/** The part of a box that is in the picture: one may reach as far as its user liked. */
+function seenPart({ points }: Probe, box: SceneBox): [number[], number[]] | null {
+  const [first, second] = [space(points[0]), space(points[1] ?? points[0])];
+  const axes = [0, 1, 2].slice(0, box.dimension);
+  const isBeside = axes.some(
+    (axis) =>
+      Math.max(first[axis], second[axis]) < box.min[axis] ||
+      Math.min(first[axis], second[axis]) > box.max[axis],
+  );
+  if (isBeside && box.dimension > 1) return null;
+  const within = (point: number[]) =>
+    point.map((x, axis) => Math.min(box.max[axis], Math.max(box.min[axis], x)));
+  return [within(first), within(second)];
 }
 
-/** Edges of the box whose corners include the least and the largest of the points. */
-function boxEdges(points: number[][], dimension: number): number[] {
-  const all = points.map(space);
-  const min = [0, 1, 2].map((axis) => Math.min(...all.map((p) => p[axis])));
-  const max = [0, 1, 2].map((axis) => Math.max(...all.map((p) => p[axis])));
-  const corner = (code: number) =>
-    [0, 1, 2].map((axis) => ((code >> axis) & 1 ? max[axis] : min[axis]));
-  const edges: number[] = [];
-  for (let code = 0; code < 2 ** dimension; ++code) {
-    for (let axis = 0; axis < dimension; ++axis) {
-      if (!((code >> axis) & 1)) edges.push(...corner(code), ...corner(code | (1 << axis)));
-    }
-  }
-  return edges;
-}
-
-function isBox(probe: Probe): boolean {
-  return probe.points.length > 2 || /box|region|volume/.test(probe.kind);
-}
-
-export function probeShapes(particles: Particles): ProbeShapes {
+export function probeShapes(probes: Probe[], box: SceneBox): ProbeShapes {
   const segments: number[] = [];
   const dots: number[] = [];
   const labels: Label[] = [];
-  for (const probe of particles.probes) {
+  for (const probe of probes) {
     if (probe.points.length === 0) continue;
-    if (isBox(probe)) segments.push(...boxEdges(probe.points, particles.dimension));
-    else if (probe.points.length === 2) segments.push(...probe.points.flatMap(space));
-    else dots.push(...space(probe.points[0]));
-    labels.push({ text: probe.name, point: space(probe.points[0]) });
+    let point = space(probe.points[0]);
+    if (probe.shape === "box") {
+      const part = seenPart(probe, box);
+      if (!part) continue;
+      segments.push(...boxEdges(...part, box.dimension));
+      point = part[0];
+    } else if (probe.shape === "line") segments.push(...probe.points.flatMap(space));
+    else dots.push(...point);
+    labels.push({ text: probe.name, point });
   }
   return { segments: Float64Array.from(segments), dots: Float64Array.from(dots), labels };
 }

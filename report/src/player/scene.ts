@@ -82,6 +82,10 @@ class Scene implements ParticleScene {
     this.walls.setQuads(quads ?? new Uint16Array(0));
   }
 
+  setWallOutlines(segments: Float64Array): void {
+    this.lines.setWalls(this.places(segments));
+  }
+
   setProbes(segments: Float64Array, dots: Float64Array): void {
     this.lines.setProbes(this.places(segments), this.places(dots));
   }

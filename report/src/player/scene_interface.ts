@@ -38,6 +38,8 @@ export interface ParticleScene {
   setParticles(quads: Uint16Array): void;
   setWalls(quads: Uint16Array | null): void;
   /** Places [m], three numbers each; two places make a segment. */
+  setWallOutlines(segments: Float64Array): void;
+  /** Places [m], three numbers each; two places make a segment. */
   setProbes(segments: Float64Array, dots: Float64Array): void;
   setColouring(colouring: Colouring): void;
   setSlice(slice: Slice | null): void;

@@ -12,12 +12,13 @@ uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
 
 vec4 place(vec3 quantised) {
-  vec3 point = boxMin + quantised * boxSize;
+  vec3 point = boxMin + quantised * (65535.0 / 65534.0) * boxSize;
   float along = dot(sliceAxis, point);
   vec4 seen = modelViewMatrix * vec4(point, 1.0);
   float pixels = dotSize * pixelScale / mix(-seen.z, 1.0, isFlat);
   gl_PointSize = clamp(pixels, 1.5, 256.0);
-  bool isCut = along < sliceRange.x || along > sliceRange.y;
+  bool isNowhere = any(greaterThan(quantised, vec3(65534.5 / 65535.0)));
+  bool isCut = isNowhere || along < sliceRange.x || along > sliceRange.y;
   return isCut ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * seen;
 }
 `;

@@ -1,5 +1,5 @@
 // What the reader has chosen in the player.
-import type { Field, Particles } from "../format";
+import { STEPS, type Field, type Particles } from "../format";
 import { quantisedOf } from "./frames";
 import type { SceneBox, Slice } from "./scene_interface";
 
@@ -42,7 +42,7 @@ export class PlayerState {
     if (this.rangeMode === "all" || this.inFrame.low > this.inFrame.high)
       return [field.min, field.max];
     return [this.inFrame.low, this.inFrame.high].map(
-      (q) => field.min + (q / 65534) * (field.max - field.min),
+      (q) => field.min + (q / STEPS) * (field.max - field.min),
     ) as [number, number];
   }
 

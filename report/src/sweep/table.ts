@@ -2,7 +2,7 @@
 import type { App } from "../app";
 import { element, scroller } from "../dom";
 import type { Member, Sweep } from "../format";
-import { formatNumber, typesetUnit, withUnit } from "../units";
+import { displayUnit, formatNumber, withUnit, type DisplayUnit } from "../units";
 import { sorted, sweepColumns, type SweepColumn } from "./rows";
 
 export class MembersTable {
@@ -28,6 +28,7 @@ export class MembersTable {
 
   update(sweep: Sweep): void {
     this.sweep = sweep;
+    this.drawHead();
     this.draw();
   }
 
@@ -37,7 +38,8 @@ export class MembersTable {
 
   private drawHead(): void {
     const cells = this.columns.map((column, i) => {
-      const text = column.unit ? `${column.label} [${typesetUnit(column.unit)}]` : column.label;
+      const { unit } = this.unitOf(column);
+      const text = unit ? `${column.label} [${unit}]` : column.label;
       const mark = element(
         "span",
         { attributes: { "aria-hidden": "true" } },
@@ -56,6 +58,12 @@ export class MembersTable {
       return cell;
     });
     this.head.replaceChildren(element("th", { attributes: { scope: "col" } }, "Curves"), ...cells);
+  }
+
+  /** One for the whole column, by its largest number: cells can be compared. */
+  private unitOf({ unit, cell }: SweepColumn): DisplayUnit {
+    const sizes = this.sweep.members.map(cell).filter((value) => typeof value === "number");
+    return displayUnit(unit, Math.max(0, ...sizes.map(Math.abs)));
   }
 
   private isNumeric(column: number): boolean {
@@ -88,7 +96,8 @@ export class MembersTable {
   private row(member: Member): HTMLElement {
     const cells = this.columns.map((column, i) => {
       const value = column.cell(member);
-      const text = typeof value === "number" ? formatNumber(value, 6) : (value ?? "–");
+      const shown = (number: number) => formatNumber(number / this.unitOf(column).factor, 6);
+      const text = typeof value === "number" ? shown(value) : (value ?? "–");
       const cell = element("td", this.isNumeric(i) ? { class: "number" } : {}, text);
       if (typeof value === "number" && column.unit) cell.title = withUnit(value, column.unit, 6);
       if (column.label === "message") cell.className = "message";

@@ -2,10 +2,39 @@
 // step.
 import type { App, Section } from "../app";
 import { element, stackedTable, table } from "../dom";
-import type { Comparison, Run, Vote } from "../format";
+import type { Comparison, Run, Verdict, Vote } from "../format";
 import { makeSection, onlyChanged, setVisible } from "../section";
 import { formatNumber, withUnit } from "../units";
 import { verdictMark } from "./verdict";
+
+const VERDICTS: Verdict[] = ["good", "unknown", "doubtful", "bad"];
+
+/** "11 good, 1 doubtful", the worst one last. */
+function counted(rows: { verdict: Verdict }[]): string {
+  return VERDICTS.map((verdict) => [rows.filter((row) => row.verdict === verdict).length, verdict])
+    .filter(([count]) => count !== 0)
+    .map(([count, verdict]) => `${count} ${verdict}`)
+    .join(", ");
+}
+
+function worst(rows: { verdict: Verdict }[]): Verdict {
+  const found = VERDICTS.filter((verdict) => rows.some((row) => row.verdict === verdict));
+  return found[found.length - 1] ?? "unknown";
+}
+
+/** What a reader wants to know before anything else: all in one line. */
+function summary(run: Run): HTMLElement {
+  const parts = [
+    run.quality.length > 0 && `${counted(run.quality)}.`,
+    run.comparisons.length > 0 && `Beside reference values: ${counted(run.comparisons)}.`,
+  ];
+  return element(
+    "p",
+    { class: "verdicts" },
+    verdictMark(worst([...run.quality, ...run.comparisons])),
+    element("span", {}, parts.filter(Boolean).join(" ")),
+  );
+}
 
 function checks(run: Run): HTMLElement {
   const rows = run.quality.map((row) => [
@@ -71,6 +100,7 @@ export function qualitySection(app: App): Section {
   const draw = () => {
     const run = app.run;
     content.replaceChildren();
+    if (run && run.quality.length + run.comparisons.length > 0) content.append(summary(run));
     if (run?.quality.length) content.append(checks(run));
     if (run?.comparisons.length)
       content.append(element("h3", {}, "Compared with reference values"), comparisons(run));

@@ -19,10 +19,10 @@ TEST(Quantised, LosesHalfAStepAtMost) {
   std::vector<double> values;
   for (int i = 0; i < 1000; ++i) values.push_back(-3.0 + 8.0 * std::sqrt(i / 999.0));
   Interval const range = interval_of(values);
-  auto const q = quantised(values, range, value_steps);
+  auto const q = quantised(values, range);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    double const back = range.min() + q[i] / value_steps * (range.max() - range.min());
-    EXPECT_NEAR(back, values[i], 0.5 * 8.0 / value_steps * 1.0001);
+    double const back = range.min() + q[i] / steps_of_16_bits * (range.max() - range.min());
+    EXPECT_NEAR(back, values[i], 0.5 * 8.0 / steps_of_16_bits * 1.0001);
   }
   EXPECT_EQ(q.front(), 0);
   EXPECT_EQ(q.back(), 65534);
@@ -31,21 +31,19 @@ TEST(Quantised, LosesHalfAStepAtMost) {
 TEST(Quantised, HoldsWhatIsNone) {
   std::vector<double> const values{1.0, std::numeric_limits<double>::quiet_NaN(), 2.0,
                                    std::numeric_limits<double>::infinity()};
-  auto const q = quantised(values, interval_of(values), value_steps);
+  auto const q = quantised(values, interval_of(values));
   EXPECT_EQ(q, (std::vector<std::uint16_t>{0, 65535, 65534, 65535}));
 }
 
 TEST(Quantised, IsZeroInARangeWithoutLength) {
   std::vector<double> const values{4.0, 4.0};
-  EXPECT_EQ(quantised(values, interval_of(values), value_steps),
-            (std::vector<std::uint16_t>{0, 0}));
+  EXPECT_EQ(quantised(values, interval_of(values)), (std::vector<std::uint16_t>{0, 0}));
   EXPECT_EQ(interval_of({}).max(), 0.0);
 }
 
 TEST(Quantised, SpansTheLargestNumbers) {
   std::vector<double> const values{-1.7e308, 0.0, 1.7e308};
-  EXPECT_EQ(quantised(values, interval_of(values), value_steps),
-            (std::vector<std::uint16_t>{0, 32767, 65534}));
+  EXPECT_EQ(quantised(values, interval_of(values)), (std::vector<std::uint16_t>{0, 32767, 65534}));
 }
 
 }  // namespace

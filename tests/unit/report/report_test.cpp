@@ -158,12 +158,26 @@ TEST_F(RunReport, ShowsParticlesWhereTheyWere) {
                high = particles.at("box").at("max").at(0);
   // The lattice, ten to a row, to half a step of the box.
   for (std::size_t i = 0; i < x.size(); ++i) {
-    double const place = low + x[i] / 65535.0 * (high - low);
+    double const place = low + x[i] / 65534.0 * (high - low);
     double const row_place = std::remainder(place - 0.05, 0.1);
-    EXPECT_NEAR(row_place, 0.0, 0.51 * (high - low) / 65535.0 + 1e-7) << ids[i];
+    EXPECT_NEAR(row_place, 0.0, 0.51 * (high - low) / 65534.0 + 1e-7) << ids[i];
   }
   EXPECT_EQ(particles.at("probes").size(), 2u);
   EXPECT_FALSE(particles.at("walls").is_null());
+}
+
+TEST_F(RunReport, OutlinesWallsWithoutParticles) {
+  std::string text = small_tank;
+  for (auto const& [from, to] :
+       {std::pair<std::string, std::string>{"[[wall]]\n", "[[wall]]\nmethod = \"mirror\"\n"},
+        {"[1.9, 1.9]", "[0.1, 0.9]"}})
+    text.replace(text.find(from), from.size(), to);
+  run("one", text);
+  PageReader const page = report({"one"});
+  auto const& walls = page.run().at("particles").at("walls");
+  EXPECT_EQ(walls.at("frames").size(), 0u);
+  EXPECT_EQ(walls.at("boxes").at(0).at("name"), "tank");
+  EXPECT_EQ(page.run().at("particles").at("box").at("max").at(1), 1.0) << "the whole tank";
 }
 
 TEST_F(RunReport, MarksDefaultsAmongTheSettings) {
