@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cstdio>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <thread>
 #include <utility>
@@ -195,17 +197,29 @@ class SweepRun {
         fmt::print("{} failed: {}\n", member.name, member.message);
     for (std::string const& name : strangers(members_, folder_))
       fmt::print("members/{} belongs to no member of this sweep; it is left as it is\n", name);
-    write_sweep_page(folder_, folder_ / "sweep.html");
-    fmt::print("results in {}: sweep.html (any browser), sweep.csv, sweep.json, members/\n",
-               folder_.string());
+    fmt::print("results in {}: sweep.csv, sweep.json, members/\n", folder_.string());
     for (auto const& file : plot_sweep(plan_, results_.table(), folder_ / "plots"))
       fmt::print("{}\n", file.string());
-    if (!all) {
-      fmt::print("stopped; the same command goes on\n");
-      return ExitCode::interrupted;
-    }
+    if (!all) fmt::print("stopped; the same command goes on\n");
+    std::fflush(stdout);  // the page of many members takes a while
+    write_page();
+    if (!all) return ExitCode::interrupted;
     return results_.count(SweepTable::State::done) == members_.size() ? ExitCode::done
                                                                       : ExitCode::failed;
+  }
+
+  /// The results are whole without their page: what goes wrong with it is told, and ends nothing.
+  void write_page() const {
+    auto const page = folder_ / "sweep.html";
+    try {
+      write_sweep_page(folder_, page);
+      fmt::print("{} (any browser)\n", page.string());
+    } catch (std::exception const& error) {
+      fmt::print(stderr,
+                 "warning: {} could not be written: {}\nall other results are there; to try again: "
+                 "moraine report {}\n",
+                 page.string(), error.what(), folder_.string());
+    }
   }
 
   SweepPlan const& plan_;
