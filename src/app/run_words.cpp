@@ -42,8 +42,8 @@ std::size_t say_stages(Simulation const& simulation, std::size_t told, Progress&
 
 void say_end(Run const& run, Saver const& saver, EndWords const& end) {
   Simulation const& simulation = run.simulation;
-  fmt::print("\n{}: time {:.6g} s, {} steps in {:.2f} s\n", end.reason,
-             simulation.time(), simulation.step(), end.seconds);
+  fmt::print("\n{}: time {:.6g} s, {} steps in {:.2f} s\n", end.reason, simulation.time(),
+             simulation.step(), end.seconds);
   if (simulation.lost().count > 0)
     fmt::print("{} particles left the domain and were removed ({:.4g} kg, {:.4g} J)\n",
                simulation.lost().count, simulation.lost().mass, simulation.lost().energy);

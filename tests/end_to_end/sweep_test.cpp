@@ -207,8 +207,7 @@ TEST_F(SweepCommand, KilledInTheMiddleItGoesOnToTheSameTable) {
 TEST_F(SweepCommand, AMemberThatIsKilledGoesOn) {
   std::string one = four_steps;
   replace(one, "\"0.2 ms\", \"5 ms\", \"0.3 ms\"", "\"0.2 ms\"");
-  replace(one, "[[output]]",
-          saves_often);
+  replace(one, "[[output]]", saves_often);
   write(path("steps.toml"), one);
   std::filesystem::create_directories(path("live"));
   std::string const folder = path("killed").string();
