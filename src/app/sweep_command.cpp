@@ -17,6 +17,7 @@
 
 #include "app/commands.hpp"
 #include "base/input_error.hpp"
+#include "output/atomic_file.hpp"
 #include "output/output_error.hpp"
 #include "output/run_folder.hpp"
 #include "output/run_lock.hpp"
@@ -32,8 +33,8 @@ namespace {
 
 constexpr char const* examples =
     R"(The sweep file names a case, the keys that change, their values, and what is taken from each run;
-docs/sweeps.md describes it. Results go to FOLDER: sweep.html (the members beside each other), sweep.csv, sweep.json, pictures in plots/, and a
-folder with a run for each member. The same command goes on after a stop: members that are done are
+docs/sweeps.md describes it. Results go to FOLDER: sweep.html (the members beside each other),
+sweep.csv, sweep.json, pictures in plots/, and a folder with a run for each member. The same command goes on after a stop: members that are done are
 kept, others go on from their checkpoints.
 
 Examples:
@@ -244,6 +245,7 @@ int sweep_case(SweepOptions const& options) {
   wait_for_members(members);
   if (!options.force) check_changed(options.file, members);
   RunLock const lock = locked(folder);
+  remove_temporaries(folder);
   for (std::string const& line : adopt_renumbered(members, folder)) fmt::print("{}\n", line);
   return SweepRun(sweep, members, folder, options).run();
 }

@@ -203,8 +203,9 @@ TEST_F(Interrupted, OutlivesAStatusAndASnapshotThatCannotBeWritten) {
 
 TEST_F(Interrupted, TwiceEndsAtOnce) {
   pid_t const child = start();
+  auto const pipe = path("out/manifest.json." + std::to_string(child) + ".tmp");
   // Nobody reads this pipe: the clean end waits there for ever.
-  ASSERT_EQ(mkfifo(path("out/manifest.json.tmp").c_str(), 0600), 0);
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   int status = 0;
   for (int k = 0; k < 500 && waitpid(child, &status, WNOHANG) == 0; ++k) {
     kill(child, k < 499 ? SIGINT : SIGKILL);  // early ones may arrive together as one
