@@ -142,6 +142,18 @@ TEST_F(SweepCommand, RunsAllMembersAndReportsTheOneThatFails) {
   EXPECT_TRUE(std::filesystem::exists(path("results/plots/sweep_step.png")));
 }
 
+TEST_F(SweepCommand, ItsPageTakesAnotherTitle) {
+  replace_in_steps("\"0.1 ms\", \"0.2 ms\", \"5 ms\", ", "");
+  ASSERT_EQ(sweep().code, 0);
+  auto const title = [&] {
+    std::string const page = bytes_of(path("results/sweep.html"));
+    return page.substr(page.find("<title>"), 40);
+  };
+  EXPECT_NE(title().find("time steps"), std::string::npos) << title();
+  ASSERT_EQ(moraine_command(path(""), {"report", "results", "--title", "mine"}).code, 0);
+  EXPECT_NE(title().find("mine"), std::string::npos) << title();
+}
+
 TEST_F(SweepCommand, ASecondCallRunsNothing) {
   ASSERT_EQ(sweep().code, 1);
   std::string const first = bytes_of(path("results/sweep.csv"));
