@@ -18,7 +18,8 @@ void add_report_command(CLI::App& app, ReportCommandOptions& options) {
       ->required();
   command->add_option("--output,-o", options.output,
                       "file to write (default: report.html in the folder; of several runs, here)");
-  command->add_option("--title", options.title, "title of the page (default: that of the run)");
+  command->add_option("--title", options.title,
+                      "title of the page (default: that of the run or sweep)");
   command->footer(
       "Examples:\n"
       "  moraine report out/tnt-in-water\n"
@@ -31,7 +32,7 @@ std::optional<int> run_report_command(CLI::App const& app, ReportCommandOptions 
   if (folders.size() == 1 && holds_a_sweep(folders.front())) {
     std::filesystem::path page = options.output;
     if (page.empty()) page = folders.front() / "sweep.html";
-    write_sweep_page(folders.front(), page);
+    write_sweep_page(folders.front(), page, options.title);
     fmt::print("{}\n", page.string());
     return ExitCode::done;
   }

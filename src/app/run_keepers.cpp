@@ -1,8 +1,12 @@
 #include "app/run_keepers.hpp"
 
+#include <fmt/format.h>
+
 #include <system_error>
+#include <utility>
 
 #include "output/checkpoint/run_state.hpp"
+#include "output/output_error.hpp"
 
 namespace moraine {
 
@@ -40,10 +44,22 @@ void StatusKeeper::update_when_due() {
   write(RunPhase::running, "");
 }
 
-void StatusKeeper::write(RunPhase phase, std::string const& reason) const {
+void StatusKeeper::write(RunPhase phase, std::string const& reason) {
+  auto const file = run_.folder / "status.json";
+  try {
+    write_status(file, run_.simulation, status_of(phase, reason));
+  } catch (OutputError const& error) {
+    if (std::exchange(warned_, true)) return;
+    progress_.clear();
+    fmt::print(stderr, "warning: the status is not up to date: {}; the run does not need it\n",
+               error.what());
+  }
+}
+
+RunStatus StatusKeeper::status_of(RunPhase phase, std::string const& reason) const {
   RunStatus status{.phase = phase,
                    .reason = reason,
-                   .wall_time = wall_time(),
+                   .wall_time = run_.recorder.wall_time(),
                    .steps_per_second = pace_.steps_per_second(),
                    .time_left = pace_.time_left(),
                    .votes = run_.recorder.votes().shares(),
@@ -53,7 +69,7 @@ void StatusKeeper::write(RunPhase phase, std::string const& reason) const {
     status.time_left.reset();
     status.remarks = run_.recorder.remarks();
   }
-  write_status(run_.folder / "status.json", run_.simulation, status);
+  return status;
 }
 
 }  // namespace moraine

@@ -8,6 +8,7 @@
 #include "app/run_loop.hpp"
 #include "base/timer.hpp"
 #include "output/checkpoint/checkpoints.hpp"
+#include "output/progress.hpp"
 #include "output/run_status.hpp"
 
 namespace moraine {
@@ -57,20 +58,25 @@ class Saver {
 /// Where the time of a run went: steps, output, checkpoints.
 Timers all_timers(Run const& run, Saver const& saver);
 
-/// Keeps status.json up to date.
+/// Keeps status.json up to date. A status that cannot be written is told once, and ends nothing.
 class StatusKeeper {
  public:
-  StatusKeeper(Run const& run, Saver const& saver) : run_(run), saver_(saver) {}
+  StatusKeeper(Run const& run, Saver const& saver, Progress& progress)
+      : run_(run), saver_(saver), progress_(progress) {}
 
   void update_when_due();
-  void write(RunPhase phase, std::string const& reason) const;
+  void write(RunPhase phase, std::string const& reason);
   double wall_time() const { return since_start_.seconds(); }  // s
 
  private:
+  RunStatus status_of(RunPhase phase, std::string const& reason) const;
+
   Run const& run_;
   Saver const& saver_;
+  Progress& progress_;
   StatusPace pace_;
   WallClock since_start_;
+  bool warned_ = false;
 };
 
 }  // namespace moraine

@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <cstdint>
+#include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/commands.hpp"
@@ -28,6 +32,19 @@ void request_stop(int) {
   std::signal(SIGTERM, SIG_DFL);
 }
 
+/// From here on a page takes more than a second or two.
+constexpr std::uintmax_t much_to_read = 500'000'000;  // bytes
+
+bool takes_long(std::filesystem::path const& folder) {
+  std::uintmax_t bytes = 0;
+  std::error_code none;
+  for (auto const& entry : std::filesystem::directory_iterator(folder / "frames", none)) {
+    auto const size = entry.file_size(none);
+    if (!none) bytes += size;
+  }
+  return bytes > much_to_read;
+}
+
 /// A run with all that goes on beside its steps.
 class Loop {
  public:
@@ -37,9 +54,11 @@ class Loop {
 
  private:
   bool advance();
+  void tell_those_who_look_on();
+  ExitCode after_end(bool stopped);
   ExitCode give_up(std::string const& reason, std::vector<Flag> const& flags, ExitCode code);
   bool write_page() const;
-  void keep_what_there_is(std::string const& reason, std::vector<Flag> const& flags) const;
+  void keep_what_there_is(std::string const& reason, std::vector<Flag> const& flags);
   std::string stopped_by(std::exception const& error) const {
     return fmt::format("the run stopped at time {:.6g} s, step {}: {}", run_.simulation.time(),
                        run_.simulation.step(), error.what());
@@ -47,13 +66,16 @@ class Loop {
 
   Run const& run_;
   Saver saver_{run_};
-  StatusKeeper status_{run_, saver_};
   Progress progress_;
+  StatusKeeper status_{run_, saver_, progress_};
+  RequestFile snapshot_{run_.folder / "snapshot"};
 };
+
+char const* reason_of_end(bool stopped) { return stopped ? "interrupted" : "end time reached"; }
 
 /// Steps until the end or a request to stop; true if it was stopped.
 bool Loop::advance() {
-  RequestFile stop(run_.folder / "stop"), snapshot(run_.folder / "snapshot");
+  RequestFile stop(run_.folder / "stop");
   std::size_t announced = run_.simulation.stage_events().size();
   while (run_.simulation.running()) {
     if (stop_requested != 0 || stop.found()) return true;
@@ -61,30 +83,33 @@ bool Loop::advance() {
     run_.recorder.tell(run_.simulation);
     announced = say_stages(run_.simulation, announced, progress_);
     saver_.save_when_due();
-    status_.update_when_due();
-    if (snapshot.found()) {
-      progress_.clear();
-      fmt::print("snapshot: {}\n", run_.recorder.write_snapshot(run_.simulation).string());
-    }
+    tell_those_who_look_on();
     progress_.update(progress_of(run_.simulation));
   }
   return false;
 }
 
+/// Status and snapshots: the run does not depend on them, and outlives what goes wrong with them.
+void Loop::tell_those_who_look_on() {
+  status_.update_when_due();
+  if (!snapshot_.found()) return;
+  progress_.clear();
+  try {
+    fmt::print("snapshot: {}\n", run_.recorder.write_snapshot(run_.simulation).string());
+  } catch (OutputError const& error) {
+    fmt::print(stderr, "the snapshot is not there: {}; the run goes on\n", error.what());
+  }
+}
+
 ExitCode Loop::to_end() {
+  bool stopped = false;
   try {
     status_.update_when_due();
     saver_.save();
-    bool const stopped = advance();
+    stopped = advance();
     saver_.save();
     progress_.finish();
-    std::string const reason = stopped ? "interrupted" : "end time reached";
-    run_.recorder.finish(run_.simulation, reason, status_.wall_time());
-    status_.write(stopped ? RunPhase::stopped : RunPhase::ended, reason);
-    bool const shown = write_page();
-    say_end(run_, saver_, reason, status_.wall_time());
-    if (stopped) return ExitCode::interrupted;
-    return shown ? ExitCode::done : ExitCode::not_written;
+    run_.recorder.finish(run_.simulation, reason_of_end(stopped), run_.recorder.wall_time());
   } catch (SimulationError const& error) {
     return give_up(error.what(), error.flags(), ExitCode::unstable);
   } catch (OutputError const& error) {
@@ -92,27 +117,40 @@ ExitCode Loop::to_end() {
   } catch (std::exception const& error) {  // no memory: not the physics
     return give_up(stopped_by(error), {}, ExitCode::failed);
   }
+  return after_end(stopped);
+}
+
+/// All results are written: what fails from here on cannot make them those of a run that broke.
+ExitCode Loop::after_end(bool stopped) {
+  status_.write(stopped ? RunPhase::stopped : RunPhase::ended, reason_of_end(stopped));
+  bool const page = write_page();
+  say_end(run_, saver_, {reason_of_end(stopped), status_.wall_time(), page});
+  return stopped ? ExitCode::interrupted : ExitCode::done;
 }
 
 /// The results are whole without their page: what goes wrong with it is told, and ends nothing.
 bool Loop::write_page() const {
   auto const file = run_.folder / "report.html";
+  if (takes_long(run_.folder)) {
+    fmt::print("writing {}\n", file.string());
+    std::fflush(stdout);
+  }
   try {
     report::write_report({run_.folder}, {.file = file});
     return true;
   } catch (std::exception const& error) {
     fmt::print(stderr,
-               "{} could not be written: {}\nall other results are there; to try again: "
+               "warning: {} could not be written: {}\nall other results are there; to try again: "
                "moraine report {}\n",
                file.string(), error.what(), run_.folder.string());
     return false;
   }
 }
 
-void Loop::keep_what_there_is(std::string const& reason, std::vector<Flag> const& flags) const {
+void Loop::keep_what_there_is(std::string const& reason, std::vector<Flag> const& flags) {
   try {
     auto const snapshot =
-        run_.recorder.give_up(run_.simulation, reason, flags, status_.wall_time());
+        run_.recorder.give_up(run_.simulation, reason, flags, run_.recorder.wall_time());
     fmt::print(stderr, "the particles as they were: {}{}\n", snapshot.string(),
                flags.empty() ? "" : "; the array \"guard\" flags who is named");
     status_.write(RunPhase::broken, reason);

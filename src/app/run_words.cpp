@@ -41,10 +41,10 @@ std::size_t say_stages(Simulation const& simulation, std::size_t told, Progress&
   return told;
 }
 
-void say_end(Run const& run, Saver const& saver, std::string const& reason, double seconds) {
+void say_end(Run const& run, Saver const& saver, EndWords const& end) {
   Simulation const& simulation = run.simulation;
-  fmt::print("\n{}: time {:.6g} s, {} steps in {:.2f} s\n", reason, simulation.time(),
-             simulation.step(), seconds);
+  fmt::print("\n{}: time {:.6g} s, {} steps in {:.2f} s\n", end.reason, simulation.time(),
+             simulation.step(), end.seconds);
   if (simulation.lost().count > 0)
     fmt::print("{} particles left the domain and were removed ({:.4g} kg, {:.4g} J)\n",
                simulation.lost().count, simulation.lost().mass, simulation.lost().energy);
@@ -61,10 +61,10 @@ void say_end(Run const& run, Saver const& saver, std::string const& reason, doub
   for (std::string const& remark : run.recorder.remarks()) fmt::print("{}\n", printable(remark));
   std::string const folder = run.folder.string();
   fmt::print(
-      "\n{}\nresults in {}: report.html (any browser), particles.pvd (ParaView), gauges.csv, "
-      "sums.csv; "
-      "pictures: moraine plot {}\n",
-      timing_table(all_timers(run, saver), seconds), folder, folder);
+      "\n{}\nresults in {}: {}particles.pvd (ParaView), gauges.csv, sums.csv; pictures: moraine "
+      "plot {}\n",
+      timing_table(all_timers(run, saver), end.seconds), folder,
+      end.page ? "report.html (any browser), " : "", folder);
   if (simulation.running()) fmt::print("to go on: moraine resume {}\n", folder);
 }
 

@@ -16,7 +16,14 @@ ProgressReport progress_of(Simulation const& simulation);
 /// Tells which stages have begun since `told`; returns how many have begun at all.
 std::size_t say_stages(Simulation const& simulation, std::size_t told, Progress& progress);
 
+/// How a run ended, how long it took, and whether its page could be written.
+struct EndWords {
+  std::string reason;
+  double seconds = 0.0;
+  bool page = true;
+};
+
 /// How a run ended, what it lost, where its time went and where its results are.
-void say_end(Run const& run, Saver const& saver, std::string const& reason, double seconds);
+void say_end(Run const& run, Saver const& saver, EndWords const& end);
 
 }  // namespace moraine

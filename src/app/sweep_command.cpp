@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cstdio>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <thread>
 #include <utility>
@@ -15,6 +17,7 @@
 
 #include "app/commands.hpp"
 #include "base/input_error.hpp"
+#include "output/atomic_file.hpp"
 #include "output/output_error.hpp"
 #include "output/run_folder.hpp"
 #include "output/run_lock.hpp"
@@ -30,8 +33,8 @@ namespace {
 
 constexpr char const* examples =
     R"(The sweep file names a case, the keys that change, their values, and what is taken from each run;
-docs/sweeps.md describes it. Results go to FOLDER: sweep.html (the members beside each other), sweep.csv, sweep.json, pictures in plots/, and a
-folder with a run for each member. The same command goes on after a stop: members that are done are
+docs/sweeps.md describes it. Results go to FOLDER: sweep.html (the members beside each other),
+sweep.csv, sweep.json, pictures in plots/, and a folder with a run for each member. The same command goes on after a stop: members that are done are
 kept, others go on from their checkpoints.
 
 Examples:
@@ -195,17 +198,29 @@ class SweepRun {
         fmt::print("{} failed: {}\n", member.name, member.message);
     for (std::string const& name : strangers(members_, folder_))
       fmt::print("members/{} belongs to no member of this sweep; it is left as it is\n", name);
-    write_sweep_page(folder_, folder_ / "sweep.html");
-    fmt::print("results in {}: sweep.html (any browser), sweep.csv, sweep.json, members/\n",
-               folder_.string());
+    fmt::print("results in {}: sweep.csv, sweep.json, members/\n", folder_.string());
     for (auto const& file : plot_sweep(plan_, results_.table(), folder_ / "plots"))
       fmt::print("{}\n", file.string());
-    if (!all) {
-      fmt::print("stopped; the same command goes on\n");
-      return ExitCode::interrupted;
-    }
+    if (!all) fmt::print("stopped; the same command goes on\n");
+    std::fflush(stdout);  // the page of many members takes a while
+    write_page();
+    if (!all) return ExitCode::interrupted;
     return results_.count(SweepTable::State::done) == members_.size() ? ExitCode::done
                                                                       : ExitCode::failed;
+  }
+
+  /// The results are whole without their page: what goes wrong with it is told, and ends nothing.
+  void write_page() const {
+    auto const page = folder_ / "sweep.html";
+    try {
+      write_sweep_page(folder_, page);
+      fmt::print("{} (any browser)\n", page.string());
+    } catch (std::exception const& error) {
+      fmt::print(stderr,
+                 "warning: {} could not be written: {}\nall other results are there; to try again: "
+                 "moraine report {}\n",
+                 page.string(), error.what(), folder_.string());
+    }
   }
 
   SweepPlan const& plan_;
@@ -230,6 +245,7 @@ int sweep_case(SweepOptions const& options) {
   wait_for_members(members);
   if (!options.force) check_changed(options.file, members);
   RunLock const lock = locked(folder);
+  remove_temporaries(folder);
   for (std::string const& line : adopt_renumbered(members, folder)) fmt::print("{}\n", line);
   return SweepRun(sweep, members, folder, options).run();
 }

@@ -1,10 +1,13 @@
 #include "output/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
+#include <regex>
+#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -24,6 +27,14 @@ void rename_to(std::filesystem::path const& from, std::filesystem::path const& t
   if (error)
     throw OutputError("cannot rename '" + from.string() + "' to '" + to.string() +
                       "': " + error.message());
+}
+
+/// A temporary name with the number of a process that is gone.
+bool is_left_over(std::string const& name) {
+  static std::regex const ours(".+\\.([0-9]{1,9})\\.tmp");
+  std::smatch found;
+  if (!std::regex_match(name, found, ours)) return false;
+  return ::kill(static_cast<pid_t>(std::stol(found[1])), 0) != 0 && errno == ESRCH;
 }
 
 }  // namespace
@@ -77,8 +88,16 @@ void remove_files(std::filesystem::path const& folder,
   for (auto const& file : old) remove_file(file);
 }
 
+void remove_temporaries(std::filesystem::path const& folder) {
+  remove_files(folder, is_left_over);
+  std::error_code none;
+  for (auto const& entry : std::filesystem::directory_iterator(folder, none))
+    if (entry.is_directory(none) && !entry.is_symlink(none))
+      remove_files(entry.path(), is_left_over);
+}
+
 AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)), temporary_(path_) {
-  temporary_ += ".tmp";
+  temporary_ += "." + std::to_string(::getpid()) + ".tmp";
   std::error_code ignored;  // a folder that could not be made shows when the file is opened
   if (path_.has_parent_path()) std::filesystem::create_directories(path_.parent_path(), ignored);
   stream_.open(temporary_, std::ios::binary | std::ios::trunc);

@@ -29,9 +29,14 @@ void remove_file(std::filesystem::path const& path);
 void remove_files(std::filesystem::path const& folder,
                   std::function<bool(std::string const&)> const& ours);
 
-/// Writes to `<path>.tmp` and renames it to `path` on commit, so that a reader (or a killed run)
-/// never meets half a file. Missing parent folders are made. Without commit the temporary file is
-/// removed. Throws OutputError naming the path when opening, writing or renaming fails.
+/// Removes what killed processes have left of their AtomicFiles in a folder and in the folders
+/// right in it. Throws OutputError naming the file that stays.
+void remove_temporaries(std::filesystem::path const& folder);
+
+/// Writes to `<path>.<process>.tmp` and renames it to `path` on commit, so that a reader (or a
+/// killed run) never meets half a file, and that of two processes which write the same file one
+/// wins. Missing parent folders are made. Without commit the temporary file is removed. Throws
+/// OutputError naming the path when opening, writing or renaming fails.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);

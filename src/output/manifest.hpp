@@ -27,7 +27,7 @@ BuildInfo build_info();
 /// How a run ended.
 struct RunEnd {
   std::string reason;           // "end time reached", "interrupted", "guard: ..."
-  double wall_time = 0.0;       // s
+  double wall_time = 0.0;       // s, of the whole run, through its checkpoints
   double simulated_time = 0.0;  // s
   std::uint64_t steps = 0;
   std::uint64_t particles = 0;  // left at the end

@@ -75,6 +75,7 @@ void drop_frames(std::filesystem::path const& folder, std::size_t first) {
     if (std::regex_match(name, walls)) return "frames/" + name >= wall_frame_name(first);
     return std::regex_match(name, particles) && "frames/" + name >= frame_name(first);
   });
+  remove_temporaries(folder);
   if (first == 0) remove_file(folder / "walls.pvd");
   drop_planes(folder, first);
   remove_files(folder / "plots", is_picture_of_run);

@@ -32,7 +32,7 @@ std::string snapshot_name(std::uint64_t step);
 std::string wall_snapshot_name(std::uint64_t step);
 
 /// Removes the frames from this number on with the planes of their times, and the pictures and the
-/// snapshot that were made of them. Throws OutputError.
+/// snapshot that were made of them, and what a killed run left half written. Throws OutputError.
 void drop_frames(std::filesystem::path const& folder, std::size_t first);
 
 }  // namespace moraine

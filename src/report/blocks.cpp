@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <bit>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace moraine::report {
 namespace {
@@ -73,15 +76,24 @@ Json Block::add_u8(std::span<std::uint8_t const> values) { return add(values, "u
 
 void Blocks::add(Block const& block) {
   packed_.push_back({block.name(), block.packed()});
-  size_ += packed_.back().text.size();
+  size_ += element_of(packed_.back()).size();
+}
+
+void Blocks::add(Blocks&& more) {
+  size_ += std::exchange(more.size_, 0);
+  std::move(more.packed_.begin(), more.packed_.end(), std::back_inserter(packed_));
+  more.packed_.clear();
+}
+
+std::string Blocks::element_of(Packed const& block) {
+  return fmt::format("<script type=\"text/plain\" id=\"block:{}\">{}</script>\n", block.name,
+                     block.text);
 }
 
 std::string Blocks::elements() const {
   std::string text;
-  text.reserve(size_ + 80 * packed_.size());
-  for (Packed const& block : packed_)
-    text += fmt::format("<script type=\"text/plain\" id=\"block:{}\">{}</script>\n", block.name,
-                        block.text);
+  text.reserve(size_);
+  for (Packed const& block : packed_) text += element_of(block);
   return text;
 }
 
@@ -94,7 +106,7 @@ Json Blocks::object() const {
 void Blocks::drop(std::string_view prefix) {
   std::erase_if(packed_, [&](Packed const& block) {
     if (!block.name.starts_with(prefix)) return false;
-    size_ -= block.text.size();
+    size_ -= element_of(block).size();
     return true;
   });
 }

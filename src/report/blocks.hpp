@@ -45,7 +45,8 @@ class Block {
 class Blocks {
  public:
   void add(Block const& block);
-  std::size_t size() const { return size_; }  // bytes in the page
+  void add(Blocks&& more);
+  std::size_t size() const { return size_; }  // bytes of elements()
 
   /// As `<script>` elements.
   std::string elements() const;
@@ -58,6 +59,7 @@ class Blocks {
   struct Packed {
     std::string name, text;
   };
+  static std::string element_of(Packed const& block);
   std::vector<Packed> packed_;
   std::size_t size_ = 0;
 };

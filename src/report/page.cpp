@@ -91,6 +91,8 @@ std::string page_of(std::string const& title, Json const& report, Blocks const& 
   return page;
 }
 
+std::size_t bytes_in_page(Json const& json) { return script_safe(json).size(); }
+
 std::size_t page_size(bool with_player) {
   return asset("page").size() + (with_player ? asset("player").size() : 0);
 }

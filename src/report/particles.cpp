@@ -9,39 +9,18 @@
 #include "report/outlines.hpp"
 #include "report/quantised.hpp"
 #include "report/settings.hpp"
-#include "report/shown_frames.hpp"
 
 namespace moraine::report {
 namespace {
 
-constexpr std::size_t most_wall_particles = 20'000;
-constexpr std::size_t most_moving_wall_particles = 4'000;
-
-using Places = std::vector<std::vector<double>>;  // [axis]
-
-/// Of each frame shown, or one for all where walls rest; none without walls.
-std::vector<Places> wall_places(RunFiles const& run, ShownFrames const& shown) {
-  std::vector<Places> walls;
-  if (run.wall_frames.size() == run.frames.size() && !run.wall_frames.empty()) {
-    for (std::size_t const number : shown.numbers)
-      walls.push_back(read_wall_places(run.folder / run.wall_frames[number].file, shown.dimension,
-                                       most_moving_wall_particles));
-  } else if (std::filesystem::exists(run.folder / "walls.vtp")) {
-    walls.push_back(
-        read_wall_places(run.folder / "walls.vtp", shown.dimension, most_wall_particles));
-  }
-  return walls;
-}
-
-std::array<Interval, 3> box_of(ShownFrames const& shown, std::vector<Places> const& walls,
-                               Json const& wall_boxes) {
+std::array<Interval, 3> box_of(ShownFrames const& shown, Json const& wall_boxes) {
   std::array<Interval, 3> box;
   auto const include = [&](Places const& places) {
     for (std::size_t axis = 0; axis < places.size(); ++axis)
       for (double const x : places[axis]) box[axis].include(x);
   };
   for (ShownFrame const& frame : shown.frames) include(frame.places);
-  for (Places const& places : walls) include(places);
+  for (Places const& places : shown.walls) include(places);
   for (auto const& wall : wall_boxes)
     for (char const* const end : {"min", "max"})
       for (std::size_t axis = 0; axis < static_cast<std::size_t>(shown.dimension); ++axis)
@@ -151,10 +130,21 @@ std::string note_of(ShownFrames const& shown) {
   return note.empty() ? note : "Shown here: " + note + ". The files of the run hold all of them.";
 }
 
-Json particles_json(RunFiles const& run, ShownFrames const& shown, Blocks& blocks) {
-  auto const walls = wall_places(run, shown);
+}  // namespace
+
+std::optional<ShownFrames> frames_for_page(RunFiles& run, ParticleBudget const& budget) {
+  if (run.frames.empty()) return std::nullopt;
+  try {
+    return read_shown_frames(run, budget);
+  } catch (std::exception const& error) {
+    run.notes.push_back(fmt::format("particles are left out: {}", error.what()));
+    return std::nullopt;
+  }
+}
+
+Json particles_of(RunFiles const& run, ShownFrames const& shown, Blocks& blocks) {
   auto const wall_boxes = run.used_case ? wall_boxes_of(*run.used_case) : Json::array();
-  auto const box = box_of(shown, walls, wall_boxes);
+  auto const box = box_of(shown, wall_boxes);
   auto const ranges = ranges_of(shown);
   Json json{{"dimension", shown.dimension},
             {"spacing", run.used_case ? run.used_case->numerics.spacing : 0.0}};
@@ -169,24 +159,9 @@ Json particles_json(RunFiles const& run, ShownFrames const& shown, Blocks& block
     for (MaterialSpec const& material : run.used_case->materials)
       json["materials"].push_back(material.name);
   json["frames"] = frames_of(run.prefix, shown, ranges, box, blocks);
-  json["walls"] = walls_of(run.prefix, walls, box, wall_boxes, blocks);
+  json["walls"] = walls_of(run.prefix, shown.walls, box, wall_boxes, blocks);
   json["probes"] = run.used_case ? probes_of(*run.used_case) : Json::array();
   return json;
-}
-
-}  // namespace
-
-Json particles_of(RunFiles& run, ParticleBudget const& budget, Blocks& blocks) {
-  if (run.frames.empty()) return nullptr;
-  try {
-    ShownFrames const shown = read_shown_frames(run, budget.bytes, budget.most_particles);
-    return particles_json(run, shown, blocks);
-  } catch (std::exception const& error) {
-    run.notes.push_back(fmt::format("particles are left out: {}", error.what()));
-    blocks.drop(run.prefix + "/frame-");
-    blocks.drop(run.prefix + "/walls-");
-    return nullptr;
-  }
 }
 
 }  // namespace moraine::report

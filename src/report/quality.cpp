@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "report/balances.hpp"
+#include "output/balances.hpp"
 
 namespace moraine::report {
 namespace {

@@ -3,97 +3,68 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <utility>
 
 #include "output/atomic_file.hpp"
+#include "report/draft.hpp"
 #include "report/page.hpp"
 #include "report/particles.hpp"
-#include "report/run_files.hpp"
 #include "report/run_json.hpp"
 
 namespace moraine::report {
 namespace {
 
-constexpr std::size_t most_rows = 4000;  // a line on a large screen has no more points
-constexpr std::size_t fewest_rows = 100;
+constexpr std::size_t least_particles = 100'000;  // bytes: with less, nothing moves on the screen
 
-std::vector<RunFiles> read_runs(std::vector<std::filesystem::path> const& folders) {
-  std::vector<RunFiles> runs;
-  std::set<std::string> names;
-  for (auto const& folder : folders) {
-    RunFiles run = read_run_files(folder);
-    std::string const plain = run.name;
-    for (int copy = 2; !names.insert(run.name).second; ++copy)
-      run.name = fmt::format("{} ({})", plain, copy);
-    run.prefix = fmt::format("run-{}", runs.size());
-    runs.push_back(std::move(run));
-  }
-  return runs;
-}
-
-/// A report while it is put together.
-struct Draft {
-  Json json = empty_report();
-  Blocks blocks;
-  std::size_t size() const {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace).size() + blocks.size();
-  }
+/// What has been read of a run; its place in the draft stays null where there is nothing.
+struct RunParticles {
+  std::size_t run;
+  ShownFrames frames;
 };
 
-/// Runs of one title, as those of one case at several spacings, go by the names of their folders.
-void tell_apart(Json& runs) {
-  std::map<std::string, int> count;
-  for (auto const& run : runs) ++count[run["title"].get<std::string>()];
-  for (auto& run : runs)
-    if (count[run["title"].get<std::string>()] > 1) run["title"] = run["name"];
+/// Particles of the first runs, each with enough room to be worth reading.
+std::vector<RunParticles> read_particles(Draft& draft, std::size_t room) {
+  std::vector<RunParticles> all;
+  std::size_t const runs = std::min(draft.runs.size(), room / least_particles);
+  for (std::size_t i = 0; i < runs; ++i)
+    if (auto frames = frames_for_page(draft.runs[i], {.bytes = room / runs}))
+      all.push_back({i, std::move(*frames)});
+  return all;
 }
 
-/// All but particles, with as many rows of tables as fit into `bytes`.
-Draft without_particles(std::vector<RunFiles>& runs, std::size_t bytes) {
-  for (std::size_t rows = most_rows;; rows = rows * 2 / 3) {
-    Draft draft;
-    for (RunFiles& run : runs) {
-      auto const kept = run.notes;
-      draft.json["runs"].push_back(run_json(run, rows, draft.blocks));
-      run.notes = kept;  // the next try finds them again
-    }
-    tell_apart(draft.json["runs"]);
-    if (draft.size() <= bytes || rows < fewest_rows) return draft;
+void add_particles(Draft& draft, std::vector<RunParticles> const& all) {
+  for (RunParticles const& each : all)
+    draft.json["runs"][each.run]["particles"] =
+        particles_of(draft.runs[each.run], each.frames, draft.blocks);
+}
+
+void drop_particles(Draft& draft, std::vector<RunParticles> const& all) {
+  for (RunParticles const& each : all) {
+    draft.json["runs"][each.run]["particles"] = nullptr;
+    for (char const* const part : {"/frame-", "/walls-"})
+      draft.blocks.drop(draft.runs[each.run].prefix + part);
   }
-}
-
-/// Adds particles of `raw` bytes in all, before compression; returns whether there are any.
-bool add_particles(Draft& draft, std::vector<RunFiles>& runs, ParticleBudget budget) {
-  budget.bytes /= runs.size();
-  bool any = false;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    auto& place = draft.json["runs"][i]["particles"];
-    place = particles_of(runs[i], budget, draft.blocks);
-    any = any || !place.is_null();
-  }
-  return any;
-}
-
-void drop_particles(Draft& draft, std::vector<RunFiles> const& runs) {
-  for (RunFiles const& run : runs)
-    for (char const* const part : {"/frame-", "/walls-"}) draft.blocks.drop(run.prefix + part);
 }
 
 /// Fills the room that is left: quantised numbers shrink by a part that nobody knows beforehand.
-bool fill_with_particles(Draft& draft, std::vector<RunFiles>& runs, std::size_t room) {
+/// Files are read once; what does not fit is thinned further.
+bool fill_with_particles(Draft& draft, std::size_t room) {
+  std::vector<std::size_t> told;
+  for (RunFiles const& run : draft.runs) told.push_back(run.notes.size());
+  std::vector<RunParticles> all = read_particles(draft, room);
+  for (std::size_t i = 0; i < draft.runs.size(); ++i)
+    add_later_notes(draft.json["runs"][i], draft.runs[i], told[i]);
   std::size_t const before = draft.size();
-  ParticleBudget budget;
-  budget.bytes = room;
-  for (int tries = 0; tries < 8; ++tries) {
-    if (!add_particles(draft, runs, budget)) return false;
+  for (auto bytes = static_cast<double>(room); !all.empty() && bytes > 1.0;) {
+    add_particles(draft, all);
     std::size_t const used = draft.size() - before;
     if (used <= room) return true;
-    drop_particles(draft, runs);
-    budget.bytes = static_cast<std::size_t>(0.9 * static_cast<double>(budget.bytes) *
-                                            static_cast<double>(room) / static_cast<double>(used));
+    drop_particles(draft, all);
+    bytes *= std::min(0.9, 0.9 * static_cast<double>(room) / static_cast<double>(used));
+    auto const each = static_cast<std::size_t>(bytes / static_cast<double>(all.size()));
+    for (RunParticles& particles : all)
+      particles.frames = thinned(std::move(particles.frames), {.bytes = each});
   }
-  for (auto& run : draft.json["runs"]) run["particles"] = nullptr;
   return false;
 }
 
@@ -109,21 +80,18 @@ std::string title_of(ReportOptions const& options, Draft const& draft) {
 }  // namespace
 
 void write_report(std::vector<std::filesystem::path> const& folders, ReportOptions const& options) {
-  std::vector<RunFiles> runs = read_runs(folders);
-  Draft draft =
-      without_particles(runs, room_of(options.most_bytes_without_particles, page_size(false)));
-  draft.json["sweep"] = options.sweep;
+  Draft draft = without_particles(folders, options.sweep,
+                                  room_of(options.most_bytes_without_particles, page_size(false)));
   bool const player =
-      fill_with_particles(draft, runs, room_of(options.most_bytes, page_size(true) + draft.size()));
+      fill_with_particles(draft, room_of(options.most_bytes, page_size(true) + draft.size()));
   AtomicFile file(options.file);
   file.stream() << page_of(title_of(options, draft), draft.json, draft.blocks, player);
   file.commit();
 }
 
 Json live_data(std::filesystem::path const& folder) {
-  std::vector<RunFiles> runs = read_runs({folder});
-  Draft draft = without_particles(runs, 600'000);
-  fill_with_particles(draft, runs, 3'000'000);
+  Draft draft = without_particles({folder}, nullptr, 600'000);
+  fill_with_particles(draft, 3'000'000);
   draft.json["blocks"] = draft.blocks.object();
   return draft.json;
 }

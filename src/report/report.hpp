@@ -20,9 +20,9 @@ struct ReportOptions {
 };
 
 /// Writes the report of one or several runs, whose curves are then drawn over each other. Reads
-/// nothing but their folders. Tables that are too long are thinned (thinning.hpp), frames and
-/// particles left out (particles.hpp), and the report says so. Throws InputErrors for folders that
-/// hold no run, OutputError if the file cannot be written.
+/// nothing but their folders. What is too large is thinned or left out (draft.hpp, particles.hpp),
+/// and the report says so. Throws InputErrors for folders that hold no run, OutputError if the file
+/// cannot be written.
 void write_report(std::vector<std::filesystem::path> const& folders, ReportOptions const& options);
 
 /// The same as data for a live page of one run: smaller, with the blocks inside.

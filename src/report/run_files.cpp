@@ -71,11 +71,10 @@ std::string_view state_of(RunFiles const& run) {
   std::string const state = text_at(run.status, "state");
   for (std::string_view const end : {"ended", "stopped", "broken"})
     if (state == end) return end;
-  if (run.going_on) return "running";
-  // Killed: it can go on. A folder without a status is told from its manifest.
+  // A status that could not be written is told from the manifest, which is there before the page.
   auto const end = run.manifest.find("end");
-  bool const done = end != run.manifest.end() && text_at(*end, "reason") == "end time reached";
-  return done ? "ended" : "stopped";
+  if (end != run.manifest.end() && text_at(*end, "reason") == "end time reached") return "ended";
+  return run.going_on ? "running" : "stopped";  // the latter also where it was killed: it can go on
 }
 
 std::string end_reason(RunFiles const& run) {

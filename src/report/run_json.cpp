@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "report/comparisons.hpp"
-#include "report/curves.hpp"
 #include "report/measures.hpp"
 #include "report/quality.hpp"
 #include "report/settings.hpp"
@@ -112,11 +111,10 @@ Json stages_of(RunFiles const& run) {
 
 }  // namespace
 
-Json run_json(RunFiles& run, std::size_t most_rows, Blocks& blocks) {
-  Block curves(run.prefix + "/curves");
-  Json tables = tables_of(run, most_rows, curves);
+Json run_head(RunFiles& run, Blocks& blocks) {
+  Block curves(run.prefix + "/references");
   Json references = references_of(run, curves);  // may add notes, which quality_of tells
-  blocks.add(curves);
+  if (!references.empty()) blocks.add(curves);
   std::string const title = run.used_case ? run.used_case->title : "";
   return {{"name", run.name},
           {"title", title.empty() ? run.name : title},
@@ -127,7 +125,7 @@ Json run_json(RunFiles& run, std::size_t most_rows, Blocks& blocks) {
           {"quality", quality_of(run)},
           {"comparisons", comparisons_of(run)},
           {"stages", stages_of(run)},
-          {"tables", std::move(tables)},
+          {"tables", Json::array()},
           {"references", std::move(references)},
           {"measures", measures_of(run.gauge_summary)},
           {"decays", decays_of(run.gauge_summary)},
@@ -135,6 +133,15 @@ Json run_json(RunFiles& run, std::size_t most_rows, Blocks& blocks) {
           {"timing", timing_of(run)},
           {"settings", settings_json(run)},
           {"particles", nullptr}};
+}
+
+void add_later_notes(Json& head, RunFiles const& run, std::size_t first) {
+  for (std::size_t i = first; i < run.notes.size(); ++i)
+    head["quality"].push_back({{"name", "files"},
+                               {"verdict", verdict_name(Verdict::unknown)},
+                               {"value", run.notes[i]},
+                               {"limit", ""},
+                               {"meaning", "The files of the run hold all of it."}});
 }
 
 }  // namespace moraine::report

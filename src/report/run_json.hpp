@@ -8,7 +8,10 @@
 
 namespace moraine::report {
 
-/// All of a run but its particles, which are null. Tables have at most about `most_rows` rows.
-Json run_json(RunFiles& run, std::size_t most_rows, Blocks& blocks);
+/// All of a run but its tables, which are empty, and its particles, which are null.
+Json run_head(RunFiles& run, Blocks& blocks);
+
+/// Tells the notes of the run from this one on, which came after its head was made.
+void add_later_notes(Json& head, RunFiles const& run, std::size_t first);
 
 }  // namespace moraine::report

@@ -16,11 +16,19 @@ struct ShownField {
   bool category = false;
 };
 
+using Places = std::vector<std::vector<double>>;  // [axis], m
+
+/// What may be shown of a run: numbers of bytes before compression.
+struct ParticleBudget {
+  std::size_t bytes = 11'000'000;
+  std::size_t most_particles = 50'000;  // in a frame: what a browser draws and picks with ease
+};
+
 /// Some particles of one frame, by ascending id.
 struct ShownFrame {
   double time = 0.0;  // s
   std::vector<std::uint32_t> ids;
-  std::vector<std::vector<double>> places;  // [axis], m
+  Places places;
   std::vector<std::vector<double>> values;  // [field]
 };
 
@@ -32,6 +40,7 @@ struct ShownFrames {
   std::vector<std::size_t> numbers;  // of the frames shown
   std::vector<ShownField> fields;
   std::vector<ShownFrame> frames;
+  std::vector<Places> walls;  // of each frame shown, or one for all where walls rest; or none
 };
 
 /// How many frames and which share of the particles fit.
@@ -50,11 +59,13 @@ Selection select(std::size_t frames, std::size_t particles, std::size_t bytes_ea
 /// and without any pattern.
 bool is_in_share(std::uint64_t id, double share);
 
-/// Reads the frames that fit into `bytes`. Throws std::runtime_error where one cannot be read.
-ShownFrames read_shown_frames(RunFiles const& run, std::size_t bytes, std::size_t most_particles);
+/// Reads what fits of the frames: where not everything does, frames are left out first, evenly,
+/// down to some twenty, and then particles, those whose ids hash into a share, the same ones in all
+/// frames. Particles without an id are left out. Throws std::runtime_error where a frame cannot be
+/// read.
+ShownFrames read_shown_frames(RunFiles const& run, ParticleBudget const& budget);
 
-/// Places of walls of a file, [axis], thinned by share to at most `most`.
-std::vector<std::vector<double>> read_wall_places(std::filesystem::path const& file, int dimension,
-                                                  std::size_t most);
+/// The part of it that fits into less.
+ShownFrames thinned(ShownFrames shown, ParticleBudget const& budget);
 
 }  // namespace moraine::report

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
@@ -40,6 +41,11 @@ std::vector<double> even_values(ValueRange const& range, std::size_t steps) {
   for (std::size_t i = 0; i < steps; ++i)
     values.push_back(range.at(static_cast<double>(i) / static_cast<double>(steps - 1)));
   return values;
+}
+
+std::size_t value_at(double place, std::size_t count) {
+  // The last of the draws may be rounded up to 1.
+  return std::min(static_cast<std::size_t>(place * static_cast<double>(count)), count - 1);
 }
 
 std::vector<std::vector<double>> latin_hypercube(std::size_t dimensions, std::size_t samples,

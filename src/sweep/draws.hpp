@@ -22,6 +22,9 @@ struct ValueRange {
 /// `steps` values at equal distances, both ends included; the middle for one.
 std::vector<double> even_values(ValueRange const& range, std::size_t steps);
 
+/// Which of `count` values a place from 0 to 1 stands for, each having an equal part of it.
+std::size_t value_at(double place, std::size_t count);
+
 /// Latin hypercube: `samples` points in [0, 1)^dimensions, as [dimension][sample]. Along each
 /// dimension each of the `samples` strata of equal width holds one point, at a random place in it.
 /// McKay, Beckman and Conover, Technometrics 21 (1979) 239, section 2.3. The generator is the

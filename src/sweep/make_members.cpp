@@ -54,8 +54,8 @@ std::vector<Row> drawn_rows(SweepPlan const& plan) {
     SweepAxis const& axis = plan.axes[a];
     for (std::size_t i = 0; i < rows.size(); ++i) {
       double const place = points[a][i];
-      auto const index = static_cast<std::size_t>(place * static_cast<double>(axis.values.size()));
-      append(rows[i], axis.range ? values_of(axis, axis.range->at(place)) : axis.values[index]);
+      append(rows[i], axis.range ? values_of(axis, axis.range->at(place))
+                                 : axis.values[value_at(place, axis.values.size())]);
     }
   }
   return rows;

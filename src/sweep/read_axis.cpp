@@ -189,7 +189,7 @@ class AxisReader {
       ends[i] = std::get<double>(value->shown);
     }
     axis_.range = ValueRange{ends[0], ends[1], logarithmic()};
-    if (!drawn && head_.steps && good_) spread();
+    if (!drawn && head_.steps && good_) spread(node);
   }
 
   bool can_have_range(toml::node const& node) {
@@ -209,9 +209,23 @@ class AxisReader {
     return true;
   }
 
-  void spread() {
-    for (double const number : even_values(*axis_.range, static_cast<std::size_t>(*head_.steps)))
-      axis_.values.push_back(values_of(axis_, number));
+  void spread(toml::node const& node) {
+    std::size_t same = 0;
+    for (double const number : even_values(*axis_.range, static_cast<std::size_t>(*head_.steps))) {
+      auto values = values_of(axis_, number);
+      if (!axis_.values.empty() && are_same(axis_.values.back(), values)) ++same;
+      axis_.values.push_back(std::move(values));
+    }
+    if (same > 0)
+      wrong(node, prefix_ + "range",
+            fmt::format("gives {} different values only, not {}", axis_.values.size() - same,
+                        axis_.values.size()),
+            "take fewer steps, or another range");
+  }
+
+  static bool are_same(std::vector<SweepValue> const& a, std::vector<SweepValue> const& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](SweepValue const& x, SweepValue const& y) { return x.shown == y.shown; });
   }
 
   toml::table const& table_;

@@ -128,7 +128,9 @@ class MemberRuns {
     MemberFolder const& place = members_[run.member];
     MemberStatus status = status_of(place);
     bool const killed = code > 128 && code != 130;
-    if (code == 0 && status.state == MemberState::done) {
+    // The folder speaks, not the exit code: all results of a run that was killed or failed while it
+    // wrote its page are there, and would be lost if it ran again.
+    if (status.state == MemberState::done) {
       progress_.learn(progress_.now() - run.started);
       ++count_.done;
       return ended_(run.member, status);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "output/balances.hpp"
 #include "output/table_csv.hpp"
 #include "probes/reading_summary.hpp"
 
@@ -85,12 +86,6 @@ double measure_of(std::vector<double> const& times, std::vector<double> const& v
   }
 }
 
-double largest_change(std::vector<double> const& values) {
-  double largest = 0.0;
-  for (double const value : values) largest = std::max(largest, std::abs(value - values.front()));
-  return largest;
-}
-
 /// The files of a run, each read once.
 class RunFiles {
  public:
@@ -147,10 +142,8 @@ class RunFiles {
   }
 
   double energy_error() {
-    double exchanged = 0.0;
-    for (char const* name : {"kinetic_energy", "internal_energy", "potential_energy"})
-      exchanged = std::max(exchanged, largest_change(column(sums(), name)));
-    return exchanged > 0.0 ? largest_change(column(sums(), "total_energy")) / exchanged : 0.0;
+    auto const drift = energy_drift(sums());
+    return drift ? drift->share() : nothing;
   }
 
   Table const& sums() {

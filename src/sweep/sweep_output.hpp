@@ -50,9 +50,9 @@ std::string unit_of(Measure measure, std::string const& column_unit);
 std::string unit_of(RunNumber number);
 
 /// The numbers of a run that has ended, in the order of the outputs; not a number where the run has
-/// none, such as an arrival that did not come. `energy_error`: the largest change of the total
-/// energy over the largest change of its kinetic, internal or potential part. Throws
-/// std::runtime_error if a file is missing or malformed.
+/// none, such as an arrival that did not come. `energy_error`: the energy that nobody booked, as
+/// the page of the run tells it (output/balances.hpp). Throws std::runtime_error if a file is
+/// missing or malformed.
 std::vector<double> read_outputs(std::vector<SweepOutput> const& outputs,
                                  std::filesystem::path const& folder);
 

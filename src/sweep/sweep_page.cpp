@@ -13,7 +13,8 @@ bool holds_a_sweep(std::filesystem::path const& folder) {
   return std::filesystem::exists(folder / "sweep.json");
 }
 
-void write_sweep_page(std::filesystem::path const& folder, std::filesystem::path const& page) {
+void write_sweep_page(std::filesystem::path const& folder, std::filesystem::path const& page,
+                      std::string const& title) {
   SweepTable table = read_sweep_table(folder);
   auto const places = member_folders(table, folder);
   std::vector<std::filesystem::path> runs;
@@ -23,7 +24,9 @@ void write_sweep_page(std::filesystem::path const& folder, std::filesystem::path
     table.members[i].run = runs.size();
     runs.push_back(places[i]);
   }
-  report::write_report(runs, {.file = page, .title = table.title, .sweep = sweep_json(table, {})});
+  report::write_report(
+      runs,
+      {.file = page, .title = title.empty() ? table.title : title, .sweep = sweep_json(table, {})});
 }
 
 }  // namespace moraine

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "output/printable.hpp"
+#include "output/progress.hpp"
 #include "output/si_prefix.hpp"
 #include "watch/spark_line.hpp"
 
@@ -35,14 +36,6 @@ std::string fitted(std::string const& text, std::size_t width) {
     return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
   }));
   return out + std::string(width - count, ' ');
-}
-
-std::string duration(double seconds) {
-  if (!std::isfinite(seconds) || seconds < 0.0 || seconds > 1e8) return "-";
-  auto const total = static_cast<long>(std::ceil(seconds));
-  if (total >= 3600)
-    return fmt::format("{}:{:02}:{:02}", total / 3600, total / 60 % 60, total % 60);
-  return fmt::format("{}:{:02}", total / 60, total % 60);
 }
 
 std::string way(RunFiles const& run) {

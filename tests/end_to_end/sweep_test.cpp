@@ -1,6 +1,7 @@
 // `moraine sweep`: many runs of one case, that go on after whatever stops them.
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <chrono>
@@ -56,6 +57,13 @@ gauge = "tip"
 measure = "last"
 )";
 
+/// In place of the first [[output]]: long enough to be met while it runs.
+constexpr char const* saves_often = R"([[parameter]]
+keys = ["time.end", "output.checkpoints"]
+values = [["0.2 s", "10 ms"]]
+label = ["end", "saved"]
+[[output]])";
+
 class SweepCommand : public ScratchFolder {
  protected:
   void SetUp() override {
@@ -67,6 +75,11 @@ class SweepCommand : public ScratchFolder {
     std::vector<std::string> words{"sweep", "steps.toml", "-o", "results"};  // "out" is taken
     words.insert(words.end(), more.begin(), more.end());
     return moraine_command(path(""), words);
+  }
+  void replace_in_steps(std::string const& old, std::string const& now) const {
+    std::string text = bytes_of(path("steps.toml"));
+    replace(text, old, now);
+    write(path("steps.toml"), text);
   }
   CommandResult sweep_to(std::string const& folder) const {
     return moraine_command(path(""), {"sweep", "steps.toml", "-o", folder});
@@ -127,6 +140,18 @@ TEST_F(SweepCommand, RunsAllMembersAndReportsTheOneThatFails) {
   EXPECT_NE(result.err.find("2 running"), std::string::npos) << "two at a time";
   EXPECT_EQ(result.err.find("3 running"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(path("results/plots/sweep_step.png")));
+}
+
+TEST_F(SweepCommand, ItsPageTakesAnotherTitle) {
+  replace_in_steps("\"0.1 ms\", \"0.2 ms\", \"5 ms\", ", "");
+  ASSERT_EQ(sweep().code, 0);
+  auto const title = [&] {
+    std::string const page = bytes_of(path("results/sweep.html"));
+    return page.substr(page.find("<title>"), 40);
+  };
+  EXPECT_NE(title().find("time steps"), std::string::npos) << title();
+  ASSERT_EQ(moraine_command(path(""), {"report", "results", "--title", "mine"}).code, 0);
+  EXPECT_NE(title().find("mine"), std::string::npos) << title();
 }
 
 TEST_F(SweepCommand, ASecondCallRunsNothing) {
@@ -194,9 +219,7 @@ TEST_F(SweepCommand, KilledInTheMiddleItGoesOnToTheSameTable) {
 TEST_F(SweepCommand, AMemberThatIsKilledGoesOn) {
   std::string one = four_steps;
   replace(one, "\"0.2 ms\", \"5 ms\", \"0.3 ms\"", "\"0.2 ms\"");
-  replace(one, "[[output]]",
-          "[[parameter]]\nkeys = [\"time.end\", \"output.checkpoints\"]\n"
-          "values = [[\"0.2 s\", \"10 ms\"]]\nlabel = [\"end\", \"saved\"]\n[[output]]");
+  replace(one, "[[output]]", saves_often);
   write(path("steps.toml"), one);
   std::filesystem::create_directories(path("live"));
   std::string const folder = path("killed").string();
@@ -209,6 +232,44 @@ TEST_F(SweepCommand, AMemberThatIsKilledGoesOn) {
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_NE(bytes_of(path("killed/members/001-0.1_ms/log.txt")).find("goes on at time"),
             std::string::npos);
+}
+
+TEST_F(SweepCommand, AMemberThatIsKilledWhileItWritesItsPageIsDone) {
+  replace_in_steps("\"0.2 ms\", \"5 ms\", \"0.3 ms\"", "\"0.2 ms\"");
+  replace_in_steps("[[output]]", saves_often);
+  std::filesystem::create_directories(path("live"));
+  std::string const folder = path("killed").string(), run = "killed/members/001-0.1_ms";
+  Program program(path("live"), {"sweep", "../steps.toml", "-o", folder});
+  wait_for_checkpoint(run);
+  pid_t const member = process_with("moraine run " + folder + "/members/001");
+  ASSERT_NE(member, 0);
+  // The page looks for this file, and reads from a pipe until there is somebody who writes.
+  ASSERT_EQ(mkfifo(path(run + "/walls.pvd").c_str(), 0600), 0);
+  auto const ended = [&] {
+    return bytes_of(path(run + "/manifest.json")).find("end time reached") != std::string::npos;
+  };
+  for (int tries = 0; tries < 30000 && !ended(); ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  std::filesystem::remove(path(run + "/walls.pvd"));
+  ASSERT_EQ(kill(member, SIGKILL), 0);
+  CommandResult const result = program.wait();
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(path(run + "/report.html"))) << "it was not killed";
+  std::string const log = bytes_of(path(run + "/log.txt"));
+  EXPECT_EQ(log.find("small dam"), log.rfind("small dam")) << "ran again: " << log;
+}
+
+TEST_F(SweepCommand, PagesThatCannotBeWrittenAreWarnings) {
+  replace_in_steps("\"5 ms\", ", "");
+  constexpr rlim_t less_than_a_page = 500'000;  // bytes; the player of particles alone has more
+  CommandResult const result =
+      Program(path(""), {"sweep", "steps.toml", "-o", "results"}, less_than_a_page).wait();
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.err.find("warning: results/sweep.html could not be written"), std::string::npos)
+      << result.err;
+  EXPECT_EQ(result.out.find("sweep.html"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("sweep_step.png"), std::string::npos) << result.out;
+  EXPECT_FALSE(std::filesystem::exists(path("results/sweep.html")));
 }
 
 TEST_F(SweepCommand, CtrlCSavesTheMembersThatRun) {

@@ -116,6 +116,18 @@ TEST_F(Program, SaysWhatElseEndedARun) {
   EXPECT_NE(bytes_of(path("out/manifest.json")).find("the run stopped at time"), std::string::npos);
 }
 
+TEST_F(Program, APageThatCannotBeWrittenIsAWarning) {
+  // As above, but so short that only the page is too large.
+  write_case("a.toml", "1e-6");
+  Ending const ending = moraine("run a.toml -o out", "trap '' XFSZ; ulimit -f 200;");
+  EXPECT_EQ(ending.code, 0) << ending.text;
+  EXPECT_NE(ending.text.find("warning: out/report.html could not be written"), std::string::npos)
+      << ending.text;
+  EXPECT_NE(ending.text.find("results in out: particles.pvd"), std::string::npos) << ending.text;
+  EXPECT_FALSE(std::filesystem::exists(path("out/report.html")));
+  EXPECT_NE(bytes_of(path("out/manifest.json")).find("end time reached"), std::string::npos);
+}
+
 class Interrupted : public Program {
  protected:
   /// Starts a run without end and waits until it steps.
@@ -129,7 +141,7 @@ class Interrupted : public Program {
     if (child == 0) {
       std::signal(SIGINT, SIG_DFL);
       if (std::freopen("/dev/null", "w", stdout) == nullptr) _exit(120);
-      if (std::freopen("/dev/null", "w", stderr) == nullptr) _exit(121);
+      if (std::freopen(path("stderr").c_str(), "w", stderr) == nullptr) _exit(121);
       execl(program.c_str(), "moraine", "run", case_file.c_str(), "-o", out.c_str(), nullptr);
       _exit(122);
     }
@@ -139,6 +151,23 @@ class Interrupted : public Program {
     };
     for (int k = 0; k < 3000 && rows() < 4; ++k) usleep(10000);
     return child;
+  }
+
+  /// Puts a folder with something in it where a run writes a file: neither open nor rename can.
+  void block(std::string const& file) const {
+    std::filesystem::create_directories(path(file + ".block/inside"));
+    std::error_code again;  // the run may have written the file once more
+    do {
+      std::filesystem::remove(path(file));
+      std::filesystem::rename(path(file + ".block"), path(file), again);
+    } while (again);
+  }
+
+  /// Waits until the run has written these words to stderr.
+  bool said(std::string const& words) const {
+    for (int k = 0; k < 1000; ++k, usleep(10000))
+      if (bytes_of(path("stderr")).find(words) != std::string::npos) return true;
+    return false;
   }
 };
 
@@ -152,10 +181,31 @@ TEST_F(Interrupted, OnceEndsCleanly) {
   EXPECT_NE(bytes_of(path("out/manifest.json")).find("interrupted"), std::string::npos);
 }
 
+TEST_F(Interrupted, OutlivesAStatusAndASnapshotThatCannotBeWritten) {
+  pid_t const child = start();
+  block("out/status.json");
+  block("out/report.html");
+  write(path("out/snapshots"), "");  // no folder for snapshots
+  write(path("out/snapshot"), "");
+  EXPECT_TRUE(said("warning: the status is not up to date")) << bytes_of(path("stderr"));
+  EXPECT_TRUE(said("the snapshot is not there")) << bytes_of(path("stderr"));
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  std::string const words = bytes_of(path("stderr"));
+  EXPECT_EQ(words.find("the status"), words.rfind("the status")) << "once: " << words;
+  std::string const manifest = bytes_of(path("out/manifest.json"));
+  EXPECT_NE(manifest.find("interrupted"), std::string::npos) << manifest;
+  EXPECT_EQ(manifest.find("the run stopped"), std::string::npos) << manifest;
+}
+
 TEST_F(Interrupted, TwiceEndsAtOnce) {
   pid_t const child = start();
+  auto const pipe = path("out/manifest.json." + std::to_string(child) + ".tmp");
   // Nobody reads this pipe: the clean end waits there for ever.
-  ASSERT_EQ(mkfifo(path("out/manifest.json.tmp").c_str(), 0600), 0);
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   int status = 0;
   for (int k = 0; k < 500 && waitpid(child, &status, WNOHANG) == 0; ++k) {
     kill(child, k < 499 ? SIGINT : SIGKILL);  // early ones may arrive together as one

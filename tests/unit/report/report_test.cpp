@@ -210,7 +210,10 @@ TEST_F(RunReport, DrawsRunsOverEachOther) {
 }
 
 TEST_F(RunReport, StaysWithinItsSizeAndSaysWhatItLeavesOut) {
-  run("one");
+  std::string fine = small_tank;
+  fine.replace(fine.find("spacing = 0.1"), 13, "spacing = 0.0125");  // else all of them are little
+  fine.replace(fine.find("fixed_step = 0.001"), 18, "fixed_step = 0.0005");
+  run("one", fine);
   ReportOptions small;
   small.most_bytes = std::filesystem::file_size([&] {
                        report({"one"});
@@ -220,6 +223,77 @@ TEST_F(RunReport, StaysWithinItsSizeAndSaysWhatItLeavesOut) {
   PageReader const page = report({"one"}, small);
   EXPECT_LE(std::filesystem::file_size(path("report.html")), small.most_bytes);
   EXPECT_NE(page.run().at("particles").at("note"), "");
+}
+
+/// Nothing of particles: then there is no player either.
+void drop_particles(std::filesystem::path const& run) {
+  std::filesystem::remove(run / "particles.pvd");
+  std::filesystem::remove_all(run / "frames");
+}
+
+bool has_note(nlohmann::ordered_json const& run, std::string const& words) {
+  for (auto const& each : run.at("quality"))
+    if (each.at("value").get<std::string>().find(words) != std::string::npos) return true;
+  return false;
+}
+
+TEST_F(RunReport, OfVeryManyColumnsStaysWithinItsSize) {
+  run("one");
+  drop_particles(path("one"));
+  std::string text = "time [s]";
+  for (int k = 0; k < 3000; ++k) text += ",P[" + std::to_string(k) + "] pressure [Pa]";
+  for (int row = 0; row < 900; ++row) {
+    text += "\n" + std::to_string(row);
+    for (int k = 0; k < 3000; ++k) text += "," + std::to_string((row * 7919 + k * 104729) % 99991);
+  }
+  write(path("one/gauges.csv"), text + "\n");
+  PageReader const page = report({"one"});
+  EXPECT_LE(std::filesystem::file_size(path("report.html")), 1'000'000u);
+  EXPECT_GT(std::filesystem::file_size(path("report.html")), 700'000u) << "and uses it";
+  EXPECT_TRUE(has_note(page.run(), "of the 3000 columns of gauges.csv are left out"));
+  auto const& table = page.run().at("tables").at(0);
+  EXPECT_GT(table.at("columns").size(), 100u);
+  EXPECT_GE(table.at("rows"), 200);
+  EXPECT_EQ(table.at("rows_of"), 900);
+}
+
+TEST_F(RunReport, OfManyRunsStaysWithinItsSize) {
+  run("one");
+  drop_particles(path("one"));
+  std::vector<std::string> names{"one"};
+  for (int k = 1; k < 300; ++k) {
+    names.push_back("run" + std::to_string(k));
+    std::filesystem::copy(path("one"), path(names.back()),
+                          std::filesystem::copy_options::recursive);
+  }
+  ReportOptions options;
+  options.sweep = {{"members", nlohmann::ordered_json::array()}};
+  for (int k = 0; k < 300; ++k) options.sweep["members"].push_back({{"run", k}});
+  PageReader const page = report(names, options);
+  EXPECT_LE(std::filesystem::file_size(path("report.html")), 1'000'000u);
+  std::size_t const kept = page.report().at("runs").size();
+  EXPECT_GT(kept, 30u);
+  ASSERT_LT(kept, 300u);
+  EXPECT_TRUE(has_note(page.run(), "of 300 runs are left out"));
+  EXPECT_FALSE(page.run().at("settings").empty());
+  EXPECT_TRUE(has_note(page.run(1), "settings are left out"));
+  auto const& members = page.report().at("sweep").at("members");
+  EXPECT_EQ(members.at(kept - 1).at("run"), kept - 1);
+  EXPECT_TRUE(members.at(kept).at("run").is_null());
+  std::size_t with_curves = 0;
+  for (auto const& each : page.report().at("runs"))
+    with_curves += each.at("tables").empty() ? 0 : 1;
+  EXPECT_GT(with_curves, 20u);
+}
+
+TEST_F(RunReport, ReadsNoParticlesWithoutRoomForThem) {
+  run("one");
+  for (auto const& frame : std::filesystem::directory_iterator(path("one/frames")))
+    write(frame.path(), "nothing of the kind");
+  EXPECT_TRUE(has_note(report({"one"}).run(), "particles are left out"));
+  ReportOptions small;
+  small.most_bytes = 700'000;  // those of the page and the player, and a little more
+  EXPECT_FALSE(has_note(report({"one"}, small).run(), "particles are left out"));
 }
 
 TEST_F(RunReport, OfAFolderThatMissesPiecesSaysWhich) {

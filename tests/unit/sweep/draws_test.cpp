@@ -14,6 +14,12 @@ TEST(Draws, EvenValuesIncludeBothEndsAndReadWell) {
   EXPECT_EQ(even_values({4.0, 1.0, true}, 3), (std::vector<double>{4.0, 2.0, 1.0}));
 }
 
+TEST(Draws, PlacesStandForValues) {
+  EXPECT_EQ(value_at(0.0, 3), 0U);
+  EXPECT_EQ(value_at(0.5, 3), 1U);
+  EXPECT_EQ(value_at(1.0, 3), 2U) << "rounded up from just below";
+}
+
 TEST(Draws, LatinHypercubeHasOnePointInEachStratum) {
   std::size_t const samples = 50;
   auto const points = latin_hypercube(3, samples, 3);

@@ -184,6 +184,17 @@ measure = "last"
       "leave it out");
 }
 
+TEST_F(ReadSweep, WholeNumbersOfARangeAreDifferent) {
+  EXPECT_EQ(mistakes(R"(method = "grid"
+[[parameter]]
+key = "space.dimension"
+range = [2, 3]
+steps = 5
+)"),
+            "sweep.toml:5:9: parameter[1].range: [2, 3] gives 2 different values only, not 5; take "
+            "fewer steps, or another range");
+}
+
 TEST_F(ReadSweep, MembersAreCheckedAndEachMistakeIsSaidOnce) {
   EXPECT_EQ(mistakes(R"(method = "grid"
 [[parameter]]

@@ -19,8 +19,9 @@ class SweepOutputs : public ScratchFolder {
         "arrival": null}}}]})");
     write(path("gauges.csv"), "time [s],a pressure [Pa]\n0,0\n0.2,5\n0.3,-1\n0.4,nan\n");
     write(path("sums.csv"),
-          "time [s],kinetic_energy [J],internal_energy [J],potential_energy [J],total_energy [J]\n"
-          "0,0,10,4,14\n1,6,5,3,14\n2,8,2,2,12\n");
+          "time [s],kinetic_energy [J],internal_energy [J],potential_energy [J],total_energy [J],"
+          "lost_energy [J],wall_work [J],damping_work [J],detonation_energy [J],drift_work [J]\n"
+          "0,0,10,4,14,0,0,0,0,0\n1,6,5,3,14,0,0,0,0,0\n2,8,2,2,12,3,5,-3,1,0\n");
     write(path("manifest.json"), R"({"state": "ended", "end": {"reason": "end time reached",
       "wall_time_s": 1.5, "simulated_time_s": 0.4, "steps": 40, "particles": 9}})");
   }
@@ -65,6 +66,7 @@ TEST_F(SweepOutputs, OfSumsAndRuns) {
   EXPECT_EQ(run(RunNumber::wall_time), 1.5);
   EXPECT_EQ(run(RunNumber::steps), 40.0);
   EXPECT_EQ(run(RunNumber::particles), 9.0);
+  // 12 J are left and 3 J lost of 14 J; 5 J of walls and 1 J of a charge came, damping took 3 J.
   EXPECT_EQ(run(RunNumber::energy_error), 0.25) << "2 J of 8 J that were exchanged";
 }
 

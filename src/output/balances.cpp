@@ -1,4 +1,4 @@
-#include "report/balances.hpp"
+#include "output/balances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace moraine::report {
+namespace moraine {
 namespace {
 
 using Column = std::vector<double>;
@@ -89,4 +89,4 @@ std::optional<double> last_of(Table const& sums, std::string_view column) {
   return found->back();
 }
 
-}  // namespace moraine::report
+}  // namespace moraine

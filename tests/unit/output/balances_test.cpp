@@ -1,10 +1,10 @@
-#include "report/balances.hpp"
+#include "output/balances.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace moraine::report {
+namespace moraine {
 namespace {
 
 /// Two rows of sums: at rest, and after 2 s of free fall of 3 kg, 10 J of heat from a wall that
@@ -88,4 +88,4 @@ TEST(Balances, ShareOfNothing) {
 }
 
 }  // namespace
-}  // namespace moraine::report
+}  // namespace moraine

@@ -7,7 +7,7 @@
 
 #include "output/table_csv.hpp"
 
-namespace moraine::report {
+namespace moraine {
 
 /// A quantity that should be conserved: by how much it is not at worst, and what that is measured
 /// by.
@@ -30,4 +30,4 @@ std::optional<Drift> momentum_drift(Table const& sums, std::array<double, 3> con
 /// The last value of a column; nothing where there is none.
 std::optional<double> last_of(Table const& sums, std::string_view column);
 
-}  // namespace moraine::report
+}  // namespace moraine
