@@ -25,7 +25,7 @@ std::string_view phase_name(RunPhase phase);
 struct RunStatus {
   RunPhase phase = RunPhase::running;
   std::string reason;                      // why it ended; empty while it runs
-  double wall_time = 0.0;                  // s, since it was started or resumed
+  double wall_time = 0.0;                  // s, of the whole run, through its checkpoints
   std::optional<double> steps_per_second;  // over the last few seconds
   std::optional<double> time_left;         // s
   std::vector<VoteShare> votes;            // of the whole run
