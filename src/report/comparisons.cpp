@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 
@@ -51,8 +52,11 @@ std::optional<double> value_of(RunFiles const& run, ReferenceSpec const& referen
                                std::string const& column) {
   if (reference.measure == ReadingMeasure::last) {
     auto const* const values = run.gauges.find(column);
-    if (values == nullptr || values->empty() || !std::isfinite(values->back())) return {};
-    return values->back();
+    if (values == nullptr) return {};
+    auto const last = std::find_if(values->rbegin(), values->rend(),
+                                   [](double value) { return std::isfinite(value); });
+    if (last == values->rend()) return {};
+    return *last;
   }
   if (!run.gauge_summary.contains("gauges") || !run.gauge_summary["gauges"].is_array()) return {};
   for (auto const& gauge : run.gauge_summary["gauges"]) {

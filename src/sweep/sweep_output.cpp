@@ -36,13 +36,13 @@ double number_in(Json const& json, char const* key) {
 /// The name of a measure in gauges.json.
 char const* name_in_summary(Measure measure) {
   switch (measure) {
-    case Measure::peak:
+    case Measure::largest:
       return "largest";
-    case Measure::time_of_peak:
+    case Measure::time_of_largest:
       return "time_of_largest";
-    case Measure::least:
+    case Measure::smallest:
       return "smallest";
-    case Measure::time_of_least:
+    case Measure::time_of_smallest:
       return "time_of_smallest";
     case Measure::integral:
       return "integral_over_time";
@@ -71,13 +71,13 @@ double measure_of(std::vector<double> const& times, std::vector<double> const& v
   ReadingSummary summary;
   for (std::size_t i = 0; i < values.size(); ++i) summary.add(times[i], values[i]);
   switch (measure) {
-    case Measure::peak:
+    case Measure::largest:
       return summary.largest();
-    case Measure::time_of_peak:
+    case Measure::time_of_largest:
       return summary.time_of_largest();
-    case Measure::least:
+    case Measure::smallest:
       return summary.smallest();
-    case Measure::time_of_least:
+    case Measure::time_of_smallest:
       return summary.time_of_smallest();
     case Measure::integral:
       return summary.integral();
@@ -167,8 +167,8 @@ class RunFiles {
 
 std::string unit_of(Measure measure, std::string const& column_unit) {
   switch (measure) {
-    case Measure::time_of_peak:
-    case Measure::time_of_least:
+    case Measure::time_of_largest:
+    case Measure::time_of_smallest:
     case Measure::arrival:
     case Measure::duration:
       return "s";

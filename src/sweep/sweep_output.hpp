@@ -12,10 +12,10 @@ namespace moraine {
 
 /// What is taken of a column of readings.
 enum class Measure : std::uint8_t {
-  peak,
-  time_of_peak,
-  least,
-  time_of_least,
+  largest,
+  time_of_largest,
+  smallest,
+  time_of_smallest,
   last,
   integral,
   impulse,
@@ -24,8 +24,8 @@ enum class Measure : std::uint8_t {
   decay_exponent  // of a line with an origin
 };
 inline constexpr std::array<std::string_view, 10> measure_names{
-    "peak",     "time_of_peak", "least",   "time_of_least", "last",
-    "integral", "impulse",      "arrival", "duration",      "decay_exponent"};
+    "largest",  "time_of_largest", "smallest", "time_of_smallest", "last",
+    "integral", "impulse",         "arrival",  "duration",         "decay_exponent"};
 
 /// What is taken of a run as a whole.
 enum class RunNumber : std::uint8_t { wall_time, steps, simulated_time, particles, energy_error };
@@ -39,7 +39,7 @@ struct SweepOutput {
   OutputSource from = OutputSource::gauge;
   std::string gauge;                    // of gauges
   std::string column;                   // of gauges and sums, as their tables name it
-  Measure measure = Measure::peak;      // of gauges and sums
+  Measure measure = Measure::largest;   // of gauges and sums
   RunNumber number = RunNumber::steps;  // of runs
   std::string label;
   std::string unit;

@@ -35,7 +35,7 @@ std::span<Entry<AxisHead> const> axis_entries();
 /// An item of [[output]].
 struct OutputHead {
   std::string gauge, sums, column, label;
-  Measure measure = Measure::peak;
+  Measure measure = Measure::largest;
   RunNumber run = RunNumber::steps;
 };
 std::span<Entry<OutputHead> const> output_entries();

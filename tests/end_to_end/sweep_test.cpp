@@ -51,7 +51,7 @@ label = "step"
 [[output]]
 gauge = "foot"
 column = "pressure"
-measure = "peak"
+measure = "largest"
 [[output]]
 gauge = "tip"
 measure = "last"

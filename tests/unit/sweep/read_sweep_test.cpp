@@ -122,7 +122,7 @@ column = "pressure"
 measure = "arrival"
 [[output]]
 gauge = "top"
-measure = "peak"
+measure = "largest"
 label = "height"
 [[output]]
 sums = "total_energy"
@@ -156,7 +156,7 @@ range = [1, 2]
 steps = 3
 [[output]]
 gauge = "1.6 cm"
-measure = "peak"
+measure = "largest"
 [[output]]
 gauge = "top"
 measure = "arrival"

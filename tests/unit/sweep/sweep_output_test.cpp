@@ -48,10 +48,10 @@ class SweepOutputs : public ScratchFolder {
 };
 
 TEST_F(SweepOutputs, OfGauges) {
-  EXPECT_EQ(gauge(Measure::peak), 5.0);
-  EXPECT_EQ(gauge(Measure::time_of_peak), 0.2);
-  EXPECT_EQ(gauge(Measure::least), -1.0);
-  EXPECT_EQ(gauge(Measure::time_of_least), 0.3);
+  EXPECT_EQ(gauge(Measure::largest), 5.0);
+  EXPECT_EQ(gauge(Measure::time_of_largest), 0.2);
+  EXPECT_EQ(gauge(Measure::smallest), -1.0);
+  EXPECT_EQ(gauge(Measure::time_of_smallest), 0.3);
   EXPECT_EQ(gauge(Measure::integral), 0.7);
   EXPECT_EQ(gauge(Measure::impulse), 0.6);
   EXPECT_EQ(gauge(Measure::last), -1.0) << "the last reading that is a number";
@@ -59,8 +59,8 @@ TEST_F(SweepOutputs, OfGauges) {
 }
 
 TEST_F(SweepOutputs, OfSumsAndRuns) {
-  EXPECT_EQ(sums("kinetic_energy", Measure::peak), 8.0);
-  EXPECT_EQ(sums("internal_energy", Measure::least), 2.0);
+  EXPECT_EQ(sums("kinetic_energy", Measure::largest), 8.0);
+  EXPECT_EQ(sums("internal_energy", Measure::smallest), 2.0);
   EXPECT_EQ(sums("total_energy", Measure::last), 12.0);
   EXPECT_EQ(sums("kinetic_energy", Measure::integral), 10.0);
   EXPECT_EQ(run(RunNumber::wall_time), 1.5);
@@ -72,8 +72,8 @@ TEST_F(SweepOutputs, OfSumsAndRuns) {
 
 TEST_F(SweepOutputs, OfAFolderWithoutFilesAreAnError) {
   std::filesystem::remove(path("gauges.json"));
-  EXPECT_THROW(gauge(Measure::peak), std::runtime_error);
-  EXPECT_THROW(sums("no_such_sum", Measure::peak), std::runtime_error);
+  EXPECT_THROW(gauge(Measure::largest), std::runtime_error);
+  EXPECT_THROW(sums("no_such_sum", Measure::largest), std::runtime_error);
 }
 
 }  // namespace
