@@ -40,8 +40,4 @@ class PlaneRecorder {
   std::size_t synced_ = 0;  // frames
 };
 
-/// Removes the files of planes that belong to frames from this number on; collections go with the
-/// first one. Throws OutputError.
-void drop_planes(std::filesystem::path const& folder, std::size_t first);
-
 }  // namespace moraine

@@ -13,7 +13,7 @@
 #include "output/free_surface/surfaces_of_run.hpp"
 #include "output/kept_files.hpp"
 #include "output/output_error.hpp"
-#include "output/plane_recorder.hpp"
+#include "output/plane_files.hpp"
 #include "output/plot/plot.hpp"
 
 namespace moraine {

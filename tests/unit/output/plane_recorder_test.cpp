@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "output/plane_files.hpp"
 #include "output/run_folder.hpp"
 #include "scratch_folder.hpp"
 #include "setup/build_model.hpp"
