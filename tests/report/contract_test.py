@@ -17,7 +17,7 @@ values = [0.004, 0.006]
 [[output]]
 gauge = "{gauge}"
 column = "pressure"
-measure = "peak"
+measure = "largest"
 """
 STAGES = """[[stage]]
 name = "first"
