@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # tools/make_pictures.sh
 #
-# Makes the pictures of runs, reports and sweeps in README and docs anew, from the shipped cases. Takes about
-# three minutes on two cores.
+# Makes the pictures of runs, reports and sweeps in README and docs anew, from the shipped
+# cases.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
