@@ -22,30 +22,6 @@ namespace {
                       std::move(hint)}});
 }
 
-std::string heading(TableColumn const& column) {
-  return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
-}
-
-/// As TableCsv writes it: the shortest decimals that read back to the same double.
-std::string csv_text(Table const& table) {
-  std::string text;
-  for (std::size_t k = 0; k < table.columns.size(); ++k)
-    text += fmt::format("{}{}", k > 0 ? "," : "", heading(table.columns[k]));
-  text += '\n';
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    for (std::size_t k = 0; k < table.columns.size(); ++k)
-      fmt::format_to(std::back_inserter(text), "{}{}", k > 0 ? "," : "", table.values[k][row]);
-    text += '\n';
-  }
-  return text;
-}
-
-void write_csv(Table const& table, std::string const& path) {
-  AtomicFile file(path);
-  file.stream() << csv_text(table);
-  file.commit();
-}
-
 void draw(ExactSolution const& solution, Table const& table, std::string const& path) {
   std::vector<plot::CurvePanel> panels;
   for (std::size_t k = 1; k < table.columns.size(); ++k)

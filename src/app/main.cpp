@@ -14,7 +14,9 @@
 #include "app/commands.hpp"
 #include "app/exact_command.hpp"
 #include "app/motion_command.hpp"
+#include "app/point_command.hpp"
 #include "app/report_command.hpp"
+#include "app/reproduce_command.hpp"
 #include "app/slosh_command.hpp"
 #include "app/sweep_command.hpp"
 #include "app/watch_command.hpp"
@@ -35,8 +37,10 @@ struct Options {
   moraine::CaseCommandOptions cases;
   moraine::BlastOptions blast;
   moraine::MotionOptions motion;
+  moraine::PointOptions point;
   moraine::SloshOptions slosh;
   moraine::ReportCommandOptions report;
+  moraine::ReproduceOptions reproduce;
   moraine::WatchOptions watch;
   moraine::SweepOptions sweep;
 };
@@ -137,8 +141,10 @@ int dispatch(CLI::App const& app, Options const& options) {
   if (auto const code = moraine::run_case_command(app, options.cases)) return *code;
   if (auto const code = moraine::run_blast_command(app, options.blast)) return *code;
   if (auto const code = moraine::run_motion_command(app, options.motion)) return *code;
+  if (auto const code = moraine::run_point_command(app, options.point)) return *code;
   if (auto const code = moraine::run_slosh_command(app, options.slosh)) return *code;
   if (auto const code = moraine::run_report_command(app, options.report)) return *code;
+  if (auto const code = moraine::run_reproduce_command(app, options.reproduce)) return *code;
   if (auto const code = moraine::run_watch_command(app, options.watch)) return *code;
   if (auto const code = moraine::run_sweep_command(app, options.sweep)) return *code;
   if (app.got_subcommand("run")) return moraine::run_case(options.run);
@@ -168,11 +174,13 @@ int main(int argc, char** argv) {
   add_bench(app, options);
   add_verify(app, options);
   moraine::add_report_command(app, options.report);
+  moraine::add_reproduce_command(app, options.reproduce);
   moraine::add_watch_command(app, options.watch);
   moraine::add_exact(app, options.exact);
   moraine::add_case_commands(app, options.cases);
   moraine::add_blast_command(app, options.blast);
   moraine::add_motion_command(app, options.motion);
+  moraine::add_point_command(app, options.point);
   moraine::add_slosh_command(app, options.slosh);
   moraine::add_sweep_command(app, options.sweep);
   try {

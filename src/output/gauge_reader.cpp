@@ -11,7 +11,7 @@ GaugeReader make_gauge_reader(Case const& c, GaugeSpec const& gauge) {
   constexpr std::array<Make, gauge_kind_count> makers{
       point_reader,  front_reader, wall_reader,       line_reader,   level_reader,
       sums_reader,   side_reader,  budget_reader,     crater_reader, deposit_reader,
-      bubble_reader, rise_reader,  expression_reader, plane_reader};
+      bubble_reader, rise_reader,  expression_reader, plane_reader,  particle_reader};
   return makers[static_cast<std::size_t>(gauge.kind)](c, gauge);
 }
 

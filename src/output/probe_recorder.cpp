@@ -69,12 +69,21 @@ ProbeRecorder::ProbeRecorder(Case const& c)
   seen_.resize(readers_.size(), 0);
   if (!rise_) return;
   envelope_.emplace(*rise_);
+  std::vector<Vec3> places;
+  for (std::size_t k = 0; k < c.gauges.size(); ++k) {
+    GaugeKind const kind = c.gauges[k].kind;
+    if (kind != GaugeKind::point && kind != GaugeKind::particle) continue;
+    placed_.push_back(k);
+    places.push_back(c.gauges[k].position);
+  }
+  if (!placed_.empty() && !c.walls.empty()) reflections_.emplace(*rise_, std::move(places));
   for (auto& summary : summaries_) summary.set_rise(*rise_);
 }
 
 void ProbeRecorder::tell(Simulation const& simulation) {
   if (reads_budget_) budget_.tell(simulation);
   if (envelope_) envelope_->tell(simulation.particles(), simulation.time());
+  if (reflections_) reflections_->tell(simulation.model(), simulation.time());
 }
 
 void ProbeRecorder::tell_new_rates(Simulation const& simulation) {
@@ -111,6 +120,11 @@ std::vector<std::string> ProbeRecorder::remarks() const {
   for (std::size_t k = 0; k < readers_.size(); ++k)
     if (seen_[k] == 0)
       lines.push_back(fmt::format("gauge \"{}\" has seen nothing", readers_[k].name));
+  for (std::size_t n = 0; reflections_ && n < placed_.size(); ++n)
+    if (double const from = reflections_->earliest()[n]; std::isfinite(from))
+      lines.push_back(
+          fmt::format("gauge \"{}\": from {:.4g} s on it may read what a wall has reflected",
+                      readers_[placed_[n]].name, from));
   return lines;
 }
 
@@ -127,6 +141,8 @@ void ProbeRecorder::write_summary(std::filesystem::path const& path) const {
     if (readers_[k].decay)
       gauges.back()["decay"] = decay_of(*readers_[k].decay, summaries_.data() + first);
   }
+  for (std::size_t n = 0; reflections_ && n < placed_.size(); ++n)
+    gauges[placed_[n]]["reflected_from"] = number_or_null(reflections_->earliest()[n]);
   AtomicFile file(path);
   file.stream() << nlohmann::ordered_json{{"gauges", gauges}}.dump(2) << '\n';
   file.commit();
@@ -144,6 +160,7 @@ void ProbeRecorder::exchange(Archive& archive) {
       archive.array(fmt::format("gauges/memory_{}", k + 1), "", *readers_[k].memory);
   if (reads_budget_) budget_.exchange(archive);
   if (envelope_) envelope_->exchange(archive);
+  if (reflections_) reflections_->exchange(archive);
 }
 
 }  // namespace moraine

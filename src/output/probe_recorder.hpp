@@ -9,6 +9,7 @@
 
 #include "base/archive.hpp"
 #include "output/gauge_reader.hpp"
+#include "output/reflection_clock.hpp"
 #include "output/vtp_writer.hpp"
 #include "probes/envelope.hpp"
 #include "probes/reading_summary.hpp"
@@ -39,7 +40,7 @@ class ProbeRecorder {
   /// Envelopes to write with a frame; none where the case asks for none.
   std::vector<ParticleArray> envelopes() const;
 
-  /// One line for each gauge that has never seen anything.
+  /// One line for each gauge that has never seen anything, or that walls may have reflected to.
   std::vector<std::string> remarks() const;
 
   /// Writes extremes, integrals and arrivals of all columns as JSON.
@@ -56,7 +57,9 @@ class ProbeRecorder {
   std::vector<MirrorLoad> mirror_loads_;
   EnergyBudget budget_;
   std::optional<PressureEnvelope> envelope_;
-  std::optional<double> rise_;  // Pa
+  std::optional<ReflectionClock> reflections_;
+  std::vector<std::size_t> placed_;  // the gauges whose places it has
+  std::optional<double> rise_;       // Pa
   bool reads_walls_ = false;
   bool reads_budget_ = false;
 };

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "output/atomic_file.hpp"
 #include "output/output_error.hpp"
 
 namespace moraine {
@@ -118,6 +119,25 @@ std::vector<double> const* Table::find(std::string_view name) const {
   for (std::size_t i = 0; i < columns.size(); ++i)
     if (columns[i].name == name) return &values[i];
   return nullptr;
+}
+
+std::string csv_text(Table const& table) {
+  std::string text;
+  for (std::size_t k = 0; k < table.columns.size(); ++k)
+    text += fmt::format("{}{}", k > 0 ? "," : "", heading(table.columns[k]));
+  text += '\n';
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    for (std::size_t k = 0; k < table.columns.size(); ++k)
+      fmt::format_to(std::back_inserter(text), "{}{}", k > 0 ? "," : "", table.values[k][row]);
+    text += '\n';
+  }
+  return text;
+}
+
+void write_csv(Table const& table, std::filesystem::path const& path) {
+  AtomicFile file(path);
+  file.stream() << csv_text(table);
+  file.commit();
 }
 
 Table read_table_csv(std::filesystem::path const& path) {

@@ -59,6 +59,12 @@ struct Table {
   std::vector<double> const* find(std::string_view name) const;
 };
 
+/// A table as TableCsv writes it: the shortest decimals that read back to the same double.
+std::string csv_text(Table const& table);
+
+/// Writes it, complete or not at all; throws OutputError.
+void write_csv(Table const& table, std::filesystem::path const& path);
+
 /// Reads what TableCsv writes. An incomplete last line (from a killed run) is left out.
 /// Throws std::runtime_error naming file and line for a missing file, a missing header or a field
 /// that is not a number.

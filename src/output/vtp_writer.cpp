@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "output/atomic_file.hpp"
+#include "probes/solid_state.hpp"
 
 namespace moraine {
 namespace {
@@ -62,6 +63,8 @@ class FrameWriter {
 
  private:
   Block field_block(Field field) const;
+  Block stress_block() const;
+  Block shear_block() const;
   template <class T, class Value>
   Block block(std::string_view type, std::string name, Value value) const;
   std::string declare(Block const& block);
@@ -75,8 +78,8 @@ class FrameWriter {
 
 Block FrameWriter::field_block(Field field) const {
   FieldInfo const& about = info(field);
-  int const components = about.rank == Rank::vector ? 3 : 1;
-  int const stored = about.rank == Rank::vector ? store_.dimension() : 1;
+  int const components = moraine::components(about.rank, 3);
+  int const stored = moraine::components(about.rank, store_.dimension());
   auto const stride = static_cast<std::size_t>(components);
   auto const write = [this, field, stored, stride](std::ostream& stream) {
     std::vector<float> numbers(range_.size() * stride);
@@ -107,6 +110,32 @@ Block FrameWriter::block(std::string_view type, std::string name, Value value) c
   return {type, std::move(name), "", 1, range_.size() * sizeof(T), write};
 }
 
+/// sigma = s - p 1, as ParaView orders a symmetric tensor: xx, yy, zz, xy, yz, xz.
+Block FrameWriter::stress_block() const {
+  auto const write = [this](std::ostream& stream) {
+    auto const pressure = store_.scalar(Field::pressure);
+    std::vector<float> numbers;
+    numbers.reserve(6 * range_.size());
+    for (std::size_t i = range_.begin; i < range_.end; ++i) {
+      Deviator const s = deviator_of(store_, i);
+      double const p = pressure[i];
+      for (double const value : {s[0] - p, s[1] - p, s[2] - p, s[3], s[5], s[4]})
+        numbers.push_back(static_cast<float>(value));
+    }
+    write_numbers(stream, numbers);
+  };
+  return {"Float32", "stress", "Pa", 6, 6 * range_.size() * sizeof(float), write};
+}
+
+/// sqrt(J2).
+Block FrameWriter::shear_block() const {
+  Block made = block<float>("Float32", "shear_stress", [this](std::size_t i) {
+    return static_cast<float>(shear_norm(deviator_of(store_, range_.begin + i)));
+  });
+  made.unit = "Pa";
+  return made;
+}
+
 std::string FrameWriter::declare(Block const& block) {
   std::string text = fmt::format(
       R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}")",
@@ -120,8 +149,13 @@ void FrameWriter::write(std::ostream& stream, double time) {
   std::vector<Block> blocks;
   blocks.push_back(field_block(Field::position));
   for (Field const field : written_fields) blocks.push_back(field_block(field));
-  for (Field const field : {Field::burn_fraction, Field::smoothing_length})
+  for (Field const field :
+       {Field::burn_fraction, Field::smoothing_length, Field::plastic_strain, Field::plastic_work})
     if (kind_ == Kind::fluid && store_.has(field)) blocks.push_back(field_block(field));
+  if (kind_ == Kind::fluid && store_.has(Field::deviatoric_stress)) {
+    blocks.push_back(stress_block());
+    blocks.push_back(shear_block());
+  }
   std::size_t const first = range_.begin;
   for (ParticleArray const& array : more_) {
     blocks.push_back(block<float>("Float32", array.name, [this, first, &array](std::size_t i) {

@@ -4,7 +4,10 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <span>
 #include <stdexcept>
+
+#include "probes/solid_state.hpp"
 
 namespace moraine {
 namespace {
@@ -26,11 +29,31 @@ std::size_t behind_number(std::string const& text, std::size_t k) {
 }  // namespace
 
 std::vector<std::string> const& particle_variables() {
-  static std::vector<std::string> const names{
-      "x",           "y",     "z",       "velocity_x",       "velocity_y",
-      "velocity_z",  "speed", "density", "pressure",         "specific_energy",
-      "sound_speed", "mass",  "volume",  "smoothing_length", "burn_fraction",
-      "time"};
+  static std::vector<std::string> const names{"x",
+                                              "y",
+                                              "z",
+                                              "velocity_x",
+                                              "velocity_y",
+                                              "velocity_z",
+                                              "speed",
+                                              "density",
+                                              "pressure",
+                                              "specific_energy",
+                                              "sound_speed",
+                                              "mass",
+                                              "volume",
+                                              "smoothing_length",
+                                              "burn_fraction",
+                                              "stress_xx",
+                                              "stress_yy",
+                                              "stress_zz",
+                                              "stress_xy",
+                                              "stress_xz",
+                                              "stress_yz",
+                                              "shear_stress",
+                                              "plastic_strain",
+                                              "plastic_work",
+                                              "time"};
   return names;
 }
 
@@ -70,9 +93,24 @@ std::string formula_fault(std::string const& formula) {
   }
 }
 
+namespace {
+
+/// Stress s - p 1 of a solid, its shear part, and what yielding has done; of a fluid -p 1.
+void set_solid(ParticleStore const& store, std::size_t i, std::span<double, 9> values) {
+  Deviator const s = deviator_of(store, i);
+  double const p = store.scalar(Field::pressure)[i];
+  for (std::size_t k = 0; k < 6; ++k) values[k] = s[k] - (k < 3 ? p : 0.0);
+  values[6] = shear_norm(s);
+  if (!store.has(Field::plastic_strain)) return;
+  values[7] = store.scalar(Field::plastic_strain)[i];
+  values[8] = store.scalar(Field::plastic_work)[i];
+}
+
+}  // namespace
+
 double ParticleFormula::operator()(ParticleStore const& store, std::size_t i,
                                    double smoothing_length, double time) const {
-  std::array<double, 16> values{};
+  std::array<double, 25> values{};
   double speed2 = 0.0;
   for (int axis = 0; axis < store.dimension(); ++axis) {
     auto const k = static_cast<std::size_t>(axis);
@@ -93,7 +131,8 @@ double ParticleFormula::operator()(ParticleStore const& store, std::size_t i,
   bool const varies = store.has(Field::smoothing_length);
   values[13] = varies ? store.scalar(Field::smoothing_length)[i] : smoothing_length;
   values[14] = store.has(Field::burn_fraction) ? store.scalar(Field::burn_fraction)[i] : 0.0;
-  values[15] = time;
+  set_solid(store, i, std::span(values).subspan<15, 9>());
+  values[24] = time;
   return formula_(values);
 }
 

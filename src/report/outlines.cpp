@@ -47,6 +47,7 @@ Place place_of(Case const& c, GaugeSpec const& gauge) {
   ProbeSpec const& probe = gauge.probe;
   switch (gauge.kind) {
     case GaugeKind::point:
+    case GaugeKind::particle:
       return {"dot", {gauge.position}};
     case GaugeKind::line:
       return {"line", {probe.line_from, probe.line_to}};

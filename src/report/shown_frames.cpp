@@ -17,7 +17,10 @@ constexpr std::size_t most_wall_particles = 20'000;
 constexpr std::size_t most_moving_wall_particles = 4'000;
 constexpr std::array<char const*, 3> axes{"x", "y", "z"};
 
-bool is_shown(FrameArray const& array) { return array.name != "id" && array.name != "kind"; }
+/// Tensors have fields of their own that say what matters: shear_stress, pressure.
+bool is_shown(FrameArray const& array) {
+  return array.name != "id" && array.name != "kind" && array.components <= 3;
+}
 
 std::vector<ShownField> fields_of(ParticleFrame const& frame) {
   std::vector<ShownField> fields;

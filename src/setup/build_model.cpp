@@ -11,6 +11,7 @@
 #include "base/input_error.hpp"
 #include "setup/case_size.hpp"
 #include "setup/check_burn.hpp"
+#include "setup/check_strength.hpp"
 #include "setup/fill.hpp"
 #include "setup/geometry.hpp"
 #include "setup/mirror_walls.hpp"
@@ -34,6 +35,14 @@ struct Members {
   std::vector<std::vector<std::uint64_t>> walls;
 };
 
+/// Stress and strain of a particle that goes on, where both runs have solids.
+void copy_solid(ParticleStore const& old, std::size_t from, ParticleStore& store, std::size_t to) {
+  for (Field const field : {Field::deviatoric_stress, Field::plastic_strain, Field::plastic_work})
+    if (store.has(field) && old.has(field))
+      for (int k = 0; k < components(info(field).rank, store.dimension()); ++k)
+        store.component(field, k)[to] = old.component(field, k)[from];
+}
+
 // In the order of the ids that they had; their new ids count from zero.
 void add_start_particles(Case const& c, Model& model) {
   ParticleStore& store = model.particles;
@@ -47,6 +56,7 @@ void add_start_particles(Case const& c, Model& model) {
     }
     for (Field const field : {Field::density, Field::specific_energy, Field::mass})
       store.scalar(field)[i] = old.scalar(field)[from];
+    copy_solid(old, from, store, i);
     if (!store.has(Field::lighting_time)) continue;
     store.scalar(Field::lighting_time)[i] = not_lit;
     if (!old.has(Field::lighting_time)) continue;  // goes on where it had begun to burn
@@ -195,6 +205,27 @@ void check_periods(Case const& c) {
   }
 }
 
+/// The ends are those of the particles, half a spacing beyond their places.
+void add_absorbing_layers(Case const& c, Model& model) {
+  AbsorbingSpec const& spec = c.absorbing;
+  ParticleStore& store = model.particles;
+  std::size_t const count = store.range(Kind::fluid).size();
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(c.dimension); ++axis)
+    for (std::size_t end = 0; end < 2; ++end) {
+      if (!spec.sides[axis][end] || count == 0) continue;
+      auto const x = store.component(Field::position, static_cast<int>(axis)).first(count);
+      double const half = 0.5 * c.numerics.spacing;
+      model.absorbing.ends[axis][end] = end == 0 ? *std::min_element(x.begin(), x.end()) - half
+                                                 : *std::max_element(x.begin(), x.end()) + half;
+      model.absorbing.thickness = spec.thickness;
+    }
+  model.absorbing.reflection = spec.reflection;
+  if (!model.absorbing.any()) return;
+  store.use(Field::rest_density);
+  auto const density = store.scalar(Field::density);
+  std::copy_n(density.begin(), count, store.scalar(Field::rest_density).begin());
+}
+
 }  // namespace
 
 Model build_model(Case const& c) {
@@ -218,14 +249,18 @@ Model build_model(Case const& c) {
   for (MaterialSpec const& material : c.materials) {
     model.materials.push_back({material.name, material.eos});
     model.materials.back().dynamic_viscosity = material.dynamic_viscosity;
+    model.materials.back().strength = strength_of(material.strength);
     if (material.burn.kind != BurnKind::programmed) continue;
     model.materials.back().burn = burn_of(material, c.numerics.spacing);
     for (Field const field : {Field::burn_fraction, Field::lighting_time})
       model.particles.use(field);
   }
+  if (model.has_solids())
+    for (Field const field : solid_fields) model.particles.use(field);
   Members members;
   add_start_particles(c, model);
   add_fluid(c, model, members);
+  add_absorbing_layers(c, model);
   add_walls(c, model, members);
   add_stages(c, model, members);
   check_wall_parts(c);

@@ -23,6 +23,7 @@
 #include "setup/shape/shape.hpp"
 #include "setup/stage_spec.hpp"
 #include "setup/start_state.hpp"
+#include "setup/strength_spec.hpp"
 #include "step/guard.hpp"
 #include "step/settings.hpp"
 #include "surface/symmetry.hpp"
@@ -56,12 +57,13 @@ struct InitialState {
   std::optional<double> lithostatic_load;   // Pa, on top of the weight of all that lies above
 };
 
-/// A named material: its equation of state and reference state, and how it burns.
+/// A named material: its equation of state and reference state, how it burns, and its strength.
 struct MaterialSpec {
   std::string name;
   Eos eos;
   BurnSpec burn{};
   double dynamic_viscosity = 0.0;  // Pa s
+  StrengthSpec strength{};
 };
 
 /// Layers of several materials from the top downwards, against gravity. There are as many
@@ -129,17 +131,19 @@ enum class GaugeKind : std::uint8_t {
   bubble,
   rise,
   expression,
-  plane
+  plane,
+  particle
 };
-inline constexpr std::size_t gauge_kind_count = 14;
+inline constexpr std::size_t gauge_kind_count = 15;
 
 /// `point`: Shepard-interpolated pressure, density, velocity and energy at a fixed place.
+/// `particle`: the same and the place of the particle that was nearest there at the start.
 /// `front`: the farthest particle position of a material along an axis.
 /// The other kinds are in setup/probe_spec.hpp.
 struct GaugeSpec {
   std::string name;
   GaugeKind kind = GaugeKind::point;
-  Point position{};      // point
+  Point position{};      // point, particle
   std::string material;  // front
   int axis = 0;          // front
   int direction = +1;    // front: +1 the largest coordinate, -1 the smallest
@@ -163,6 +167,13 @@ struct Place {
   std::string text;
 };
 
+/// Sides at whose ends waves are absorbed instead of reflected; step/absorbing_layer.hpp.
+struct AbsorbingSpec {
+  std::array<std::array<bool, 2>, 3> sides{};  // [axis][0: minus, 1: plus]
+  double thickness = 0.0;                      // m
+  double reflection = 1e-3;
+};
+
 struct Case {
   std::string title;
   std::string file;  // as given by the user
@@ -171,6 +182,7 @@ struct Case {
   std::array<bool, 3> periodic{};
   Symmetry symmetry{};
   Point gravity{};  // m/s^2
+  AbsorbingSpec absorbing{};
   LatticeName lattice = LatticeName::square;
   Numerics numerics;
   StartSpec start;

@@ -58,6 +58,27 @@ void add_space(std::vector<Entry<Case>>& table) {
        .preset = std::vector<int>{},
        .meaning = "sides of the domain that are symmetry planes; sums and forces on walls are told "
                   "for the whole that they stand for"}));
+  table.push_back(member<Case, &Case::absorbing, &AbsorbingSpec::sides>(
+      {.key = "space.absorbing.sides",
+       .type = ValueType::sides,
+       .preset = std::vector<int>{},
+       .meaning = "ends of the material, as it lies at the start, that absorb waves instead of "
+                  "reflecting them"}));
+  table.push_back(member<Case, &Case::absorbing, &AbsorbingSpec::thickness>(
+      {.key = "space.absorbing.thickness",
+       .quantity = Quantity::length,
+       .presence = Presence::with_table,
+       .preset_note = "none; needed where there are such sides",
+       .limits = Limits::positive(),
+       .meaning =
+           "thickness of the absorbing layers, inwards from the ends; a third of the longest "
+           "wave length or more"}));
+  table.push_back(member<Case, &Case::absorbing, &AbsorbingSpec::reflection>(
+      {.key = "space.absorbing.reflection",
+       .preset = 1e-3,
+       .limits = {.min = 1e-12, .max = 0.5},
+       .meaning = "share of the amplitude of a wave straight on that comes back",
+       .source = "Berenger, J. Comput. Phys. 114 (1994) 185"}));
   table.push_back(member<Case, &Case::gravity>(
       {.key = "physics.gravity",
        .type = ValueType::vector,

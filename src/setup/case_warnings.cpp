@@ -10,6 +10,7 @@
 
 #include "setup/check_burn.hpp"
 #include "setup/check_options.hpp"
+#include "setup/check_strength.hpp"
 #include "setup/check_walls.hpp"
 #include "setup/geometry.hpp"
 #include "setup/parameter.hpp"
@@ -47,6 +48,7 @@ class Warnings {
     add_smoothing_warnings(case_, warnings_);
     add_option_warnings(case_, warnings_);
     add_burn_warnings(case_, warnings_);
+    add_strength_warnings(case_, warnings_);
     add_wall_warnings(case_, warnings_);
     add_start_warnings(case_, warnings_);
     return std::move(warnings_);

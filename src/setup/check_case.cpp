@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "base/input_error.hpp"
+#include "setup/check_absorbing.hpp"
 #include "setup/check_burn.hpp"
 #include "setup/check_motion.hpp"
 #include "setup/check_options.hpp"
@@ -18,6 +19,7 @@
 #include "setup/check_region.hpp"
 #include "setup/check_spacing.hpp"
 #include "setup/check_stages.hpp"
+#include "setup/check_strength.hpp"
 #include "setup/check_walls.hpp"
 #include "setup/geometry.hpp"
 #include "setup/lattice.hpp"
@@ -47,8 +49,10 @@ class CaseCheck {
       source_.report_key("material", {},
                          fmt::format("has {} entries; {} are possible", case_.materials.size(),
                                      largest_material_count));
-    for (MaterialSpec& material : case_.materials)
+    for (MaterialSpec& material : case_.materials) {
       check_burn(material, "material." + material.name + '.', source_);
+      check_strength(material, "material." + material.name + '.', source_);
+    }
     for (std::size_t i = 0; i < case_.regions.size(); ++i)
       check_region(case_.regions[i], keys_.regions[i] + '.');
     for (std::size_t i = 0; i < case_.walls.size(); ++i) {
@@ -66,6 +70,7 @@ class CaseCheck {
       check_reference(case_, case_.references[i], keys_.references[i], source_);
     check_stages(case_, keys_.stages, source_);
     check_options(case_, source_);
+    check_absorbing(case_, source_);
     check_wall_methods(case_, keys_.walls, keys_.stages, source_);
     check_domain();
     check_spacings(case_, keys_.regions, source_);
@@ -257,7 +262,8 @@ class CaseCheck {
     for (std::size_t i = 0; i < case_.gauges.size(); ++i) {
       auto const& gauge = case_.gauges[i];
       std::string const key = keys_.gauges[i] + ".position";
-      if (gauge.kind == GaugeKind::point && source_.good(key) &&
+      bool const at_place = gauge.kind == GaugeKind::point || gauge.kind == GaugeKind::particle;
+      if (at_place && source_.good(key) &&
           !is_inside({gauge.position, gauge.position}, case_.domain, case_.dimension))
         source_.report_value(key, "is outside the domain");
       check_probe_places(case_, gauge, keys_.gauges[i], source_);

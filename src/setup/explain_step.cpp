@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "setup/check_burn.hpp"
+#include "setup/check_strength.hpp"
 #include "setup/geometry.hpp"
 #include "setup/parameter.hpp"
 #include "setup/region_lattice.hpp"
@@ -98,6 +99,15 @@ std::string matter_words(Case const& c) {
   return text;
 }
 
+std::string stress_words(Case const& c) {
+  std::string text;
+  for (auto const& material : c.materials)
+    if (material.strength.kind != StrengthKind::none)
+      text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", material.name,
+                          strength_name(strength_of(material.strength)));
+  return text.empty() ? "nothing: no material has a strength" : text;
+}
+
 std::string wall_words(Case const& c) {
   if (c.walls.empty()) return "nothing: the case has no walls";
   std::string text;
@@ -164,13 +174,14 @@ struct Words {
 };
 
 // By label of the action; an action without an entry is told by its description alone.
-constexpr std::array<Words, 11> case_words{{
+constexpr std::array<Words, 12> case_words{{
     {"time step", time_step_words},
     {"kick and drift", smoothing_words},
     {"move walls", motion_words},
     {"search", search_words},
     {"density", density_words},
     {"matter", matter_words},
+    {"stress", stress_words},
     {"walls", wall_words},
     {"pairs", pair_words},
     {"optional terms", option_words},

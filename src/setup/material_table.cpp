@@ -5,6 +5,7 @@
 #include "setup/burn_table.hpp"
 #include "setup/materials.hpp"
 #include "setup/parameter_table.hpp"
+#include "setup/strength_table.hpp"
 #include "setup/toml.hpp"
 
 namespace moraine {
@@ -180,8 +181,10 @@ Entry<MaterialSpec> use() {
   }
   return {std::move(parameter),
           [](MaterialSpec& material, Value const& value) {
-            material.eos =
-                shipped_materials()[static_cast<std::size_t>(std::get<int>(value))].spec.eos;
+            MaterialSpec const& shipped =
+                shipped_materials()[static_cast<std::size_t>(std::get<int>(value))].spec;
+            material.eos = shipped.eos;
+            material.strength = shipped.strength;
           },
           [](MaterialSpec const&) { return Value(); }};  // eos and its constants say it all
 }
@@ -215,6 +218,7 @@ std::vector<Entry<MaterialSpec>> make_table() {
                   "given",
        .source = "water at 20 degC has 1 mPa s"}));
   add_burn_entries(table);
+  add_strength_entries(table);
   return table;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "base/input_error.hpp"
+#include "setup/check_strength.hpp"
 #include "setup/parameter_table.hpp"
 #include "setup/source.hpp"
 #include "setup/toml.hpp"
@@ -35,6 +36,7 @@ class MaterialReader {
   ShippedMaterial read() {
     material_.meaning = text_at(table_, "meaning", "");
     read_law();
+    read_strength();
     for (auto const& [key, node] : table_)
       if (!known(key.str()))
         source_.report_key(std::string(key.str()), stretch_of(key.source()), "is an unknown key");
@@ -73,6 +75,36 @@ class MaterialReader {
     }
   }
 
+  /// [strength] with its kind and a table for each of its constants.
+  void read_strength() {
+    auto const* table = table_["strength"].as_table();
+    if (table == nullptr) return;
+    constexpr std::string_view prefix = "strength.";
+    std::vector<std::string> known;
+    for (auto const& [parameter, set, get] : material_entries()) {
+      if (!parameter.key.starts_with(prefix)) continue;
+      std::string const key(parameter.key.substr(prefix.size()));
+      known.push_back(key);
+      if (key == "kind") {
+        std::string const kind = text_at(*table, key, std::string(prefix));
+        auto const found = std::find(parameter.names.begin(), parameter.names.end(), kind);
+        if (found == parameter.names.end())
+          source_.report_key("strength.kind", {}, "is no strength",
+                             name_hint(kind, parameter.names));
+        else
+          set(material_.spec, static_cast<int>(found - parameter.names.begin()));
+      } else if (table->contains(key)) {
+        if (auto const value = value_at(*table, key, parameter, std::string(prefix)))
+          set(material_.spec, *value);
+      }
+    }
+    for (auto const& [key, node] : *table)
+      if (std::find(known.begin(), known.end(), key.str()) == known.end())
+        source_.report_key(fmt::format("{}{}", prefix, key.str()), stretch_of(key.source()),
+                           "is an unknown key");
+    check_strength(material_.spec, "", source_);
+  }
+
   // The value of a table { value, source }, noted for those who ask for sources.
   std::optional<Value> value_at(toml::table const& parent, std::string const& key,
                                 Parameter const& parameter, std::string const& prefix) {
@@ -90,7 +122,8 @@ class MaterialReader {
     }
     std::string const text =
         node->is_string() ? *node->value<std::string>() : fmt::format("{}", node->value_or(0.0));
-    material_.values.push_back({key, text, text_at(*table, "source", prefix + key + '.')});
+    material_.values.push_back({prefix == "reference." ? key : prefix + key, text,
+                                text_at(*table, "source", prefix + key + '.')});
     return read_value(*node, parameter, 0, full, source_);
   }
 
@@ -113,7 +146,7 @@ class MaterialReader {
   }
 
   bool known(std::string_view key) const {
-    return key == "meaning" || key == "eos" || key == "reference" ||
+    return key == "meaning" || key == "eos" || key == "strength" || key == "reference" ||
            std::find(constants_.begin(), constants_.end(), key) != constants_.end();
   }
 
@@ -166,6 +199,9 @@ std::string list_materials() {
 std::string describe(ShippedMaterial const& material) {
   std::string text = fmt::format("{}: {}\neos = \"{}\"\n", material.spec.name, material.meaning,
                                  eos_name(material.spec.eos));
+  if (material.spec.strength.kind != StrengthKind::none)
+    text += fmt::format("strength.kind = \"{}\"\n",
+                        strength_names[static_cast<std::size_t>(material.spec.strength.kind)]);
   for (auto const& value : material.values)
     text += fmt::format("  {:<24}{:<18}{}\n", value.key, value.text, value.source);
   if (!material.references.empty()) text += "compared with\n";

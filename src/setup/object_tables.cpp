@@ -99,6 +99,18 @@ Entry<GaugeSpec> front_side() {
           }};
 }
 
+template <GaugeKind kind>
+Entry<GaugeSpec> position_of(std::string_view meaning) {
+  Parameter position = length_vector(Section::gauge, "position", meaning);
+  position.when_key = "kind";
+  position.when_value = name_of(kind);
+  Entry<GaugeSpec> place = member<GaugeSpec, &GaugeSpec::position>(std::move(position));
+  place.get = [](GaugeSpec const& gauge) {
+    return gauge.kind == kind ? Value(gauge.position) : Value();
+  };
+  return place;
+}
+
 std::vector<Entry<GaugeSpec>> make_gauge_table() {
   std::vector<Entry<GaugeSpec>> table;
   table.push_back(member<GaugeSpec, &GaugeSpec::name>(name_of(Section::gauge)));
@@ -115,15 +127,11 @@ std::vector<Entry<GaugeSpec>> make_gauge_table() {
            "the domain; budget: where energy goes; crater: size of a crater; deposit: run-out "
            "and height of what slid; bubble: volume and place of a gas; rise: of the highest "
            "surface since the start; expression: a formula over particles; plane: fields on "
-           "a grid, written with the frames"}));
-  Parameter position = length_vector(Section::gauge, "position", "place of the gauge");
-  position.when_key = "kind";
-  position.when_value = "point";
-  Entry<GaugeSpec> place = member<GaugeSpec, &GaugeSpec::position>(std::move(position));
-  place.get = [](GaugeSpec const& gauge) {
-    return gauge.kind == GaugeKind::point ? Value(gauge.position) : Value();
-  };
-  table.push_back(std::move(place));
+           "a grid, written with the frames; particle: state of one particle, which it moves "
+           "with"}));
+  table.push_back(position_of<GaugeKind::point>("place of the gauge"));
+  table.push_back(
+      position_of<GaugeKind::particle>("place whose nearest particle is followed from the start"));
   Entry<GaugeSpec> material =
       member<GaugeSpec, &GaugeSpec::material>({.section = Section::gauge,
                                                .key = "material",

@@ -56,6 +56,16 @@ void add_motion(std::vector<Entry<Case>>& table) {
        .source = "Bonet and Lok, Comput. Methods Appl. Mech. Eng. 180 (1999) 97"}));
 }
 
+void add_artificial_stress(std::vector<Entry<Case>>& table) {
+  table.push_back(member<Case, numerics, &Numerics::artificial_stress>(
+      {.key = "numerics.artificial_stress",
+       .preset = 0.0,
+       .limits = Limits::between(0.0, 1.0),
+       .meaning = "share of the tension of a solid that holds close particles apart, so that they "
+                  "do not clump; 0.3 is usual for cohesive solids, 0: none",
+       .source = "Gray, Monaghan and Swift (2001), eqs 27 to 34"}));
+}
+
 void add_penalty(std::vector<Entry<Case>>& table) {
   table.push_back(member<Case, numerics, penalty, &PenaltySpec::strength>(
       {.key = "numerics.penalty.strength",
@@ -90,6 +100,7 @@ void add_penalty(std::vector<Entry<Case>>& table) {
 void add_options(std::vector<Entry<Case>>& table) {
   add_density(table);
   add_motion(table);
+  add_artificial_stress(table);
   add_penalty(table);
 }
 

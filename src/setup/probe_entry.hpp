@@ -13,8 +13,8 @@ namespace moraine {
 
 /// Names of the kinds, in the order of the enum.
 inline constexpr std::array<std::string_view, gauge_kind_count> gauge_kind_names{
-    "point",  "front",  "wall",    "line",   "level", "sums",       "side",
-    "budget", "crater", "deposit", "bubble", "rise",  "expression", "plane"};
+    "point",  "front",   "wall",   "line", "level",      "sums",  "side",    "budget",
+    "crater", "deposit", "bubble", "rise", "expression", "plane", "particle"};
 
 constexpr std::string_view name_of(GaugeKind kind) {
   return gauge_kind_names[static_cast<std::size_t>(kind)];

@@ -22,6 +22,13 @@ auto burning(Law const& law, ProgrammedBurn const& burn, ParticleStore& store, d
   };
 }
 
+/// Speed of the compression waves of a solid, sqrt(c^2 + 4 G / (3 rho)); a state without a sound
+/// speed stays one.
+double with_shear(double sound_speed, double stiffness) {
+  return stiffness > 0.0 && sound_speed >= 0.0 ? std::sqrt(sound_speed * sound_speed + stiffness)
+                                               : sound_speed;
+}
+
 /// A largest value and where it is; the first that is not a number stays.
 struct Largest {
   double value = 0.0;
@@ -59,6 +66,7 @@ void Simulation::choose_time_step() {
 
 void Simulation::kick_and_drift() {
   ParticleStore& store = model_.particles;
+  advance_stress(0.5 * vote_.time_step);
   std::size_t const count = store.range(Kind::fluid).size();
   double const dt = vote_.time_step;
   SmoothingLengths const h(model_);
@@ -122,6 +130,7 @@ void Simulation::evaluate_matter() {
   double const ahead = predict_by();
   double const density_ahead = density_is_state() ? ahead : 0.0;
   double const now = time_ + vote_.time_step;  // of the predicted state
+  double shear = 0.0;                          // 4/3 G of the material [Pa]
   auto const pass = [&](auto&& respond, std::size_t count, auto&& index) {
     for_each_block(count, loop_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
@@ -129,7 +138,8 @@ void Simulation::evaluate_matter() {
         StateResponse const state = respond(i, density[i] + density_ahead * density_rate[i],
                                             energy[i] + ahead * energy_rate[i]);
         pressure[i] = state.pressure;
-        sound_speed[i] = state.sound_speed;
+        double const rho = density[i] + density_ahead * density_rate[i];
+        sound_speed[i] = with_shear(state.sound_speed, shear / rho);
       }
     });
   };
@@ -141,6 +151,7 @@ void Simulation::evaluate_matter() {
   };
   for (std::size_t m = 0; m < model_.materials.size(); ++m) {
     auto const& burn = model_.materials[m].burn;
+    shear = 4.0 / 3.0 * shear_modulus(model_.materials[m].strength);
     std::visit(
         [&](auto const& law) {
           if constexpr (is_products<std::decay_t<decltype(law)>>)
@@ -234,6 +245,7 @@ void Simulation::kick_and_check() {
                        ? "its velocity, density, energy or acceleration is not a finite number"
                        : "its density is not positive";
           }});
+  advance_stress(half);
   damp(half);
   auto const id = store.id();
   acceleration_vote_ = {model_.time.courant * std::sqrt(model_.numerics.smoothing_length() /

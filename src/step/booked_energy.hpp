@@ -12,7 +12,7 @@ struct LostParticles;
 /// Energy given to the particles since the start [J]; in 2D per metre of thickness, in 1D per
 /// square metre. Removing a wall takes and gives nothing: walls hold no energy.
 struct BookedEnergy {
-  double damping = 0.0;     // work of the damping of stages; never positive
+  double damping = 0.0;     // work of the damping of stages and absorbing layers; never positive
   double detonation = 0.0;  // what transformations have changed the internal energy by
   double walls = 0.0;       // work of moving walls, integrated as the step integrates energies
 

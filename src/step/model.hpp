@@ -1,6 +1,7 @@
 // What a simulation starts from: particles, materials, walls and settings, ready to run.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -8,7 +9,9 @@
 
 #include "matter/burn/burn.hpp"
 #include "matter/eos/eos.hpp"
+#include "matter/strength/strength.hpp"
 #include "search/side_images.hpp"
+#include "step/absorbing_layer.hpp"
 #include "step/guard.hpp"
 #include "step/settings.hpp"
 #include "step/stages.hpp"
@@ -27,7 +30,14 @@ struct Material {
   /// which is infinite for those that are to be lit when their time comes.
   std::optional<Burn> burn{};
   double dynamic_viscosity = 0.0;  // Pa s
+  /// The particles of a model with a solid use the fields of solid_fields.
+  Strength strength{};
 };
+
+/// Optional fields that particles have where any material has a strength.
+inline constexpr std::array solid_fields{Field::deviatoric_stress, Field::predicted_stress,
+                                         Field::velocity_gradient, Field::plastic_strain,
+                                         Field::plastic_work};
 
 struct Model {
   int dimension = 3;
@@ -38,6 +48,7 @@ struct Model {
   /// Sides of the domain that are faces of mirror walls; `open` elsewhere.
   std::array<std::array<Plane, 2>, 3> mirror_walls{};
   std::array<double, 3> gravity{};  // m/s^2
+  AbsorbingLayers absorbing;        // with any, the particles use rest_density
   Numerics numerics;
   /// m, the smallest spacing that fluid particles started with; 0: that of `numerics`.
   double finest_spacing = 0.0;
@@ -50,6 +61,10 @@ struct Model {
   /// What reflects at a side of the domain.
   Plane plane(std::size_t axis, std::size_t end) const {
     return symmetry.planes[axis][end] ? Plane::symmetry : mirror_walls[axis][end];
+  }
+  bool has_solids() const {
+    return std::any_of(materials.begin(), materials.end(),
+                       [](Material const& m) { return is_solid(m.strength); });
   }
   Flavour flavour() const {
     return numerics.precision == Precision::mixed ? Flavour::mixed : Flavour::full;

@@ -32,11 +32,13 @@ Vote Simulation::vote_of_options() const {
 void Simulation::loads_on_walls(std::vector<WallLoad>& loads) const {
   pairs_->loads_on_walls(model_.particles, search_, loads);
   if (options_) options_->add_loads_on_walls(model_.particles, search_, loads);
+  if (strength_) strength_->add_loads_on_walls(model_.particles, search_, loads);
 }
 
 void Simulation::loads_on_mirrors(std::vector<MirrorLoad>& loads) const {
   pairs_->loads_on_mirrors(model_.particles, search_, loads);
   if (options_) options_->add_loads_on_mirrors(model_.particles, search_, loads);
+  if (strength_) strength_->add_loads_on_mirrors(model_.particles, search_, loads);
 }
 
 /// Rates are saved with the particles; what else the last sweep told must be there for the next.

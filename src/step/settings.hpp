@@ -71,6 +71,7 @@ struct Numerics {
   double shifting = 0.0;  // coefficient
   GradientCorrection gradient_correction = GradientCorrection::off;
   PenaltySpec penalty;
+  double artificial_stress = 0.0;  // epsilon, of solids in tension
   Precision precision = Precision::mixed;
   double smoothing_length() const { return smoothing_factor * spacing; }
   /// The least and the largest that a particle of the case can have [m].

@@ -23,14 +23,17 @@ constexpr std::array action_table{
                            "the domain, re-sort and rebuild"},
     Simulation::ActionInfo{"density", "where it is no state: sum it over neighbours"},
     Simulation::ActionInfo{"matter", "pressure and sound speed from the equations of state"},
+    Simulation::ActionInfo{"stress", "predict the stress of solids, and let it yield"},
     Simulation::ActionInfo{"gather", "copy what pair terms read into records; refresh images"},
     Simulation::ActionInfo{"walls", "continue pressure and density into wall particles"},
     Simulation::ActionInfo{"pairs", "sum all pair terms: rates of velocity, density and energy"},
     Simulation::ActionInfo{"optional terms",
                            "physical viscosity, averaging, shifting, corrected gradients, penalty "
                            "between materials, where the case asks for them"},
+    Simulation::ActionInfo{"strength", "solids: gradient of velocity, divergence of stress"},
     Simulation::ActionInfo{"kick and check",
                            "gravity, second half of the step, guard against what is no number"},
+    Simulation::ActionInfo{"absorb", "absorbing layers: let velocity and stress fade"},
     Simulation::ActionInfo{"guards",
                            "every few steps: density, speed, energy, walls, energy budget; short "
                            "steps in a row"},
@@ -46,23 +49,22 @@ Simulation::Simulation(Model model, Unstarted)
       pairs_(make_pair_backend(model_.dimension, model_.flavour(), scheme_of(model_),
                                sweep_parameters(model_), reference_densities(model_))),
       options_(make_options_of(model_)),
+      strength_(make_strength_of(model_)),
       stages_(std::move(model_.stages)) {
   option_parameters_ = option_parameters(model_);
   if (option_parameters_.moves_places()) model_.particles.use(Field::drift);
+  if (strength_)
+    for (Field const field : solid_fields) model_.particles.use(field);
   using Run = void (Simulation::*)();
-  constexpr std::array<Run, action_table.size()> runs{&Simulation::change_stage,
-                                                      &Simulation::choose_time_step,
-                                                      &Simulation::kick_and_drift,
-                                                      &Simulation::move_walls,
-                                                      &Simulation::find_neighbours,
-                                                      &Simulation::sum_densities,
-                                                      &Simulation::evaluate_matter,
-                                                      &Simulation::gather,
-                                                      &Simulation::continue_into_walls,
-                                                      &Simulation::sum_pairs,
-                                                      &Simulation::sum_optional_terms,
-                                                      &Simulation::kick_and_check,
-                                                      &Simulation::watch};
+  constexpr std::array<Run, action_table.size()> runs{
+      &Simulation::change_stage,    &Simulation::choose_time_step,
+      &Simulation::kick_and_drift,  &Simulation::move_walls,
+      &Simulation::find_neighbours, &Simulation::sum_densities,
+      &Simulation::evaluate_matter, &Simulation::predict_stress,
+      &Simulation::gather,          &Simulation::continue_into_walls,
+      &Simulation::sum_pairs,       &Simulation::sum_optional_terms,
+      &Simulation::sum_strength,    &Simulation::kick_and_check,
+      &Simulation::absorb,          &Simulation::watch};
   for (std::size_t k = 0; k < runs.size(); ++k)
     sequence_.push_back({action_table[k], runs[k], timers_.add(action_table[k].label)});
   model_.particles.shrink();
@@ -175,6 +177,7 @@ void Simulation::continue_into_walls() {
   pairs_->gather_walls(model_.particles, search_, model_.walls);
   if (options_ && option_parameters_.any())
     options_->gather(model_.particles, search_, model_.walls, predict_by());
+  if (strength_) strength_->gather(model_.particles, search_, model_.walls, predict_by());
 }
 
 LostParticles Simulation::lost() const {
@@ -204,7 +207,7 @@ void Simulation::book_walls() {
 
 std::size_t Simulation::bytes() const {
   std::size_t sum = model_.particles.bytes() + search_.bytes() + pairs_->bytes() +
-                    (options_ ? options_->bytes() : 0) +
+                    (options_ ? options_->bytes() : 0) + (strength_ ? strength_->bytes() : 0) +
                     model_.walls.points.capacity() * sizeof(WallPoint) +
                     leaving_.capacity() * sizeof(std::uint32_t);
   for (auto const& indices : by_material_) sum += indices.capacity() * sizeof(std::uint32_t);

@@ -17,6 +17,7 @@
 #include "step/model.hpp"
 #include "step/smoothing_lengths.hpp"
 #include "step/time_step.hpp"
+#include "terms/strength/strength_backend.hpp"
 #include "walls/face_push.hpp"
 
 namespace moraine {
@@ -152,12 +153,16 @@ class Simulation {
   void sum_densities();
   void remove_lost();
   void evaluate_matter();
+  void predict_stress();
   void gather();
   void continue_into_walls();
   void sum_pairs();
   void book_walls();
   void sum_optional_terms();
+  void sum_strength();
+  void advance_stress(double dt);
   void kick_and_check();
+  void absorb();
   void watch();
 
   void sort_by_material();
@@ -176,7 +181,8 @@ class Simulation {
   Model model_;
   Search search_;
   std::unique_ptr<PairBackend> pairs_;
-  std::unique_ptr<OptionBackend> options_;  // none where the case asks for no option
+  std::unique_ptr<OptionBackend> options_;     // none where the case asks for no option
+  std::unique_ptr<StrengthBackend> strength_;  // none without solids
   Stages stages_;
   Timers timers_;
   std::vector<Action> sequence_;

@@ -114,6 +114,18 @@ std::unique_ptr<OptionBackend> make_options_of(Model const& model) {
   return make_option_backend(model.dimension, model.flavour(), sweep, options, std::move(matter));
 }
 
+std::unique_ptr<StrengthBackend> make_strength_of(Model const& model) {
+  if (!model.has_solids()) return nullptr;
+  StrengthMatter matter{reference_densities(model),
+                        {},
+                        model.numerics.artificial_stress,
+                        model.numerics.smoothing_factor};
+  for (Material const& material : model.materials)
+    matter.solid.push_back(is_solid(material.strength) ? 1 : 0);
+  return make_strength_backend(model.dimension, model.flavour(), sweep_parameters(model),
+                               std::move(matter));
+}
+
 double viscous_share(Numerics const& numerics, int dimension) {
   double const stiffness = 2.0 * dimension * viscous_stiffness(numerics.kernel, dimension);
   bool const central = numerics.physical_viscosity == ViscosityForm::monaghan_cleary;

@@ -24,9 +24,32 @@ enum class Field : std::uint8_t {
   lighting_time,
   smoothing_length,
   drift,
+  deviatoric_stress,
+  predicted_stress,
+  velocity_gradient,
+  plastic_strain,
+  plastic_work,
+  rest_density,
 };
 
-enum class Rank : std::uint8_t { scalar, vector };
+/// A symmetric field keeps the diagonal, then xy, xz, yz (base/symmetric.hpp); a matrix its rows.
+enum class Rank : std::uint8_t { scalar, vector, symmetric, matrix };
+inline constexpr int most_components = 9;
+
+/// Numbers that a field of this rank has in `dimension` dimensions.
+constexpr int components(Rank rank, int dimension) {
+  switch (rank) {
+    case Rank::scalar:
+      return 1;
+    case Rank::vector:
+      return dimension;
+    case Rank::symmetric:
+      return dimension * (dimension + 1) / 2;
+    case Rank::matrix:
+      return dimension * dimension;
+  }
+  return 0;
+}
 
 struct FieldInfo {
   Field field;
@@ -67,6 +90,18 @@ inline constexpr std::array field_table{
               "smoothing length, where it follows the density"},
     FieldInfo{Field::drift, "drift", "m/s", Rank::vector, true, false, true,
               "velocity of the place less that of the material: averaging and shifting"},
+    FieldInfo{Field::deviatoric_stress, "deviatoric_stress", "Pa", Rank::symmetric, true, false,
+              true, "stress of solids less its mean, tension positive"},
+    FieldInfo{Field::predicted_stress, "predicted_stress", "Pa", Rank::symmetric, false, false,
+              true, "deviatoric stress predicted to the end of the step, for the pair terms"},
+    FieldInfo{Field::velocity_gradient, "velocity_gradient", "1/s", Rank::matrix, true, false, true,
+              "gradient of the velocity, d v_a / d x_b, of solids"},
+    FieldInfo{Field::plastic_strain, "plastic_strain", "", Rank::scalar, true, false, true,
+              "equivalent plastic strain, summed up"},
+    FieldInfo{Field::plastic_work, "plastic_work", "J/kg", Rank::scalar, true, false, true,
+              "work of the stress on plastic strain, per mass; part of the internal energy"},
+    FieldInfo{Field::rest_density, "rest_density", "kg/m^3", Rank::scalar, true, false, true,
+              "density that absorbing layers let the particle come back to"},
 };
 inline constexpr std::size_t field_count = field_table.size();
 

@@ -12,8 +12,19 @@
 namespace moraine {
 namespace {
 
-std::size_t slot(Field field, int axis) {
-  return static_cast<std::size_t>(field) * 3 + static_cast<std::size_t>(axis);
+std::size_t slot(Field field, int component) {
+  return static_cast<std::size_t>(field) * most_components + static_cast<std::size_t>(component);
+}
+
+/// "_x" of a vector, "_xy" of a matrix or a symmetric one, nothing of a scalar.
+std::string suffix(Rank rank, int component, int dimension) {
+  auto const pair = [](int a, int b) { return fmt::format("_{}{}", "xyz"[a], "xyz"[b]); };
+  if (rank == Rank::scalar) return {};
+  if (rank == Rank::vector) return fmt::format("_{}", "xyz"[component]);
+  if (rank == Rank::matrix) return pair(component / dimension, component % dimension);
+  if (component < dimension) return pair(component, component);
+  int const beyond = component - dimension;  // xy, xz, yz
+  return beyond == 0 ? pair(0, 1) : pair(beyond - 1, 2);
 }
 
 /// values[k] = values[order[k]], by way of a scratch array that arrays of all types share.
@@ -45,7 +56,8 @@ void erase(std::vector<T>& values, std::span<std::uint32_t const> indices) {
 
 }  // namespace
 
-ParticleStore::ParticleStore(int dimension) : dimension_(dimension), arrays_(field_count * 3) {}
+ParticleStore::ParticleStore(int dimension)
+    : dimension_(dimension), arrays_(field_count * most_components) {}
 
 Range ParticleStore::range(Kind kind) const {
   std::size_t const fluid = kind_size_[0];
@@ -71,15 +83,15 @@ void ParticleStore::use(Field field) {
   used_[static_cast<std::size_t>(field)] = true;
   FieldInfo const& about = info(field);
   std::size_t const size = about.on_walls ? this->size() : kind_size_[0];
-  for (int axis = 0; axis < (about.rank == Rank::vector ? dimension_ : 1); ++axis)
+  for (int axis = 0; axis < components(about.rank, dimension_); ++axis)
     array(field, axis).assign(size, 0.0);
 }
 
 std::size_t ParticleStore::append(Kind kind, MaterialId material) {
   for (FieldInfo const& field : field_table) {
     if ((kind == Kind::wall && !field.on_walls) || !has(field.field)) continue;
-    int const components = field.rank == Rank::vector ? dimension_ : 1;
-    for (int axis = 0; axis < components; ++axis) array(field.field, axis).push_back(0.0);
+    for (int axis = 0; axis < components(field.rank, dimension_); ++axis)
+      array(field.field, axis).push_back(0.0);
   }
   id_.push_back(next_id_++);
   material_.push_back(material);
@@ -127,7 +139,7 @@ void ParticleStore::exchange(Archive& archive) {
   archive.array("particles/material", "", material_);
   exchange_used(archive);
   for (FieldInfo const& field : field_table)
-    for (int axis = 0; axis < (field.rank == Rank::vector ? dimension_ : 1); ++axis)
+    for (int axis = 0; axis < components(field.rank, dimension_); ++axis)
       exchange_field(archive, field, axis);
   if (id_.size() != kind_size_[0] + kind_size_[1] || material_.size() != id_.size())
     throw std::runtime_error("numbers of particles, ids and materials do not agree");
@@ -154,8 +166,7 @@ void ParticleStore::exchange_field(Archive& archive, FieldInfo const& field, int
     if (archive.restoring()) values.assign(size, 0.0);
     return;
   }
-  std::string const component =
-      field.rank == Rank::vector ? fmt::format("_{}", "xyz"[axis]) : std::string();
+  std::string const component = suffix(field.rank, axis, dimension_);
   archive.array(fmt::format("particles/{}{}", field.name, component), field.unit, values);
   if (values.size() != size)
     throw std::runtime_error(fmt::format("{} does not have one value per particle", field.name));

@@ -28,9 +28,10 @@ inline constexpr MaterialId no_material = 255;  // wall particles
 /// State of all particles in double precision, structure of arrays.
 ///
 /// Arrays of fields without `on_walls` cover the fluid only, which lies first.
-/// Vectors are stored by component: component(Field::velocity, 1)[i] is v_y of particle i [m/s].
-/// Global ids never change while particles move in memory; they are the handle for everything that
-/// must survive a reordering. Spans are invalidated by append, permute, remove and shrink.
+/// Vectors and matrices are stored by component: component(Field::velocity, 1)[i] is v_y of
+/// particle i [m/s]; see Rank for the order of the others. Global ids never change while particles
+/// move in memory; they are the handle for everything that must survive a reordering. Spans are
+/// invalidated by append, permute, remove and shrink.
 class ParticleStore {
  public:
   explicit ParticleStore(int dimension);
@@ -81,7 +82,8 @@ class ParticleStore {
 
   int dimension_;
   std::array<std::size_t, kind_count> kind_size_{};
-  std::vector<std::vector<double>> arrays_;  // [field * 3 + axis], empty where unused
+  std::vector<std::vector<double>>
+      arrays_;  // [field * most_components + component], empty where unused
   std::vector<std::uint64_t> id_;
   std::vector<MaterialId> material_;
   std::uint64_t next_id_ = 0;

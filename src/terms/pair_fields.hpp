@@ -32,8 +32,11 @@ enum class PairField : std::uint8_t {
   density_gradient,   // kg/m^4
   correction,         // correction of the kernel gradient, less the unit matrix [-]
   wall_velocity,      // m/s, where `velocity` is what a wall shows to the terms instead
+  volume,             // m / rho [m^d]
+  stress_term,        // deviatoric stress / rho^2 [Pa m^6/kg^2]
+  artificial_stress,  // what keeps a solid in tension from clumping, / rho^2 [Pa m^6/kg^2]
 };
-inline constexpr std::size_t pair_field_count = 16;
+inline constexpr std::size_t pair_field_count = 19;
 
 enum class PairRank : std::uint8_t { scalar, vector, symmetric };
 
@@ -46,6 +49,8 @@ constexpr PairRank rank(PairField field) {
     case PairField::wall_velocity:
       return PairRank::vector;
     case PairField::correction:
+    case PairField::stress_term:
+    case PairField::artificial_stress:
       return PairRank::symmetric;
     default:
       return PairRank::scalar;
@@ -178,6 +183,18 @@ MORAINE_FORMULA auto correction(P const& particle, int component) {
 template <class P>
 MORAINE_FORMULA auto wall_velocity(P const& particle, int axis) {
   return particle.template get<PairField::wall_velocity>(axis);
+}
+template <class P>
+MORAINE_FORMULA auto volume(P const& particle) {
+  return particle.template get<PairField::volume>();
+}
+template <class P>
+MORAINE_FORMULA auto stress_term(P const& particle, int component) {
+  return particle.template get<PairField::stress_term>(component);
+}
+template <class P>
+MORAINE_FORMULA auto artificial_stress(P const& particle, int component) {
+  return particle.template get<PairField::artificial_stress>(component);
 }
 template <class P>
 MORAINE_FORMULA auto wall_depth(P const& particle) {

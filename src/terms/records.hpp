@@ -53,6 +53,14 @@ class Records {
     component = -component;
   }
 
+  /// Undoes what the reflection along an axis has done to stresses.
+  void reverse_stresses(std::size_t i, std::size_t axis) {
+    if constexpr (Layout::has(PairField::stress_term))
+      reverse_entries(record(i) + Layout::offset(PairField::stress_term), axis);
+    if constexpr (Layout::has(PairField::artificial_stress))
+      reverse_entries(record(i) + Layout::offset(PairField::artificial_stress), axis);
+  }
+
   double get(std::size_t i, PairField field, int component = 0) const {
     return static_cast<double>(record(i)[Layout::offset(field) + component]);
   }
@@ -109,12 +117,17 @@ class Records {
         values[axis] = -values[axis];
         continue;
       }
-      for (std::size_t other = 0; other < static_cast<std::size_t>(D); ++other)
-        if (other != axis) {
-          Slot& shared = values[symmetric_index<D>(axis, other)];
-          shared = -shared;
-        }
+      reverse_entries(values, axis);
     }
+  }
+
+  /// The entries of a symmetric matrix that change their sign where an axis does.
+  static void reverse_entries(Slot* matrix, std::size_t axis) {
+    for (std::size_t other = 0; other < static_cast<std::size_t>(D); ++other)
+      if (other != axis) {
+        Slot& shared = matrix[symmetric_index<D>(axis, other)];
+        shared = -shared;
+      }
   }
 
   void put_nowhere(std::size_t slot) {

@@ -16,6 +16,8 @@ namespace moraine {
 std::vector<CheckResult> check_sod(Effort effort);
 std::vector<CheckResult> check_toro(Effort effort);
 std::vector<CheckResult> check_water_hugoniot(Effort effort);
+std::vector<CheckResult> check_elastic_waves(Effort effort);
+std::vector<CheckResult> check_soil_shocks(Effort effort);
 std::vector<CheckResult> check_momentum_double(Effort effort);
 std::vector<CheckResult> check_momentum_mixed(Effort effort);
 std::vector<CheckResult> check_energy_order(Effort effort);
@@ -46,6 +48,11 @@ constexpr std::array all_checks{
           "shocks in water have the speed, pressure and density of the jump "
           "conditions",
           check_water_hugoniot},
+    Check{"elastic-waves", "waves in an elastic solid run at the speeds of its constants",
+          check_elastic_waves},
+    Check{"soil-shocks",
+          "shocks in soils and a metal have the speed, stress and density of the jump conditions",
+          check_soil_shocks},
     Check{"momentum-double", "pairs conserve momentum to 1e-14 in double precision",
           check_momentum_double},
     Check{"momentum-mixed", "pairs conserve momentum to 1e-6 in mixed precision",

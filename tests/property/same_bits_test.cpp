@@ -46,6 +46,11 @@ Flow const flows[] = {
      [](Precision p) { return blast_in_periodic_water(3, 23, p, ContinuityForm::volume); }, 30},
     {"dam_break_2d_options",
      [](Precision p) { return with_options(stirred_dam_break(2, p, 0.0032)); }, 30},
+    {"blast_2d_solid",
+     [](Precision p) {
+       return with_strength(blast_in_periodic_water(2, 104, p, ContinuityForm::mass));
+     },
+     40},
     {"dam_break_2d_summed",
      [](Precision p) { return with_summed_density(stirred_dam_break(2, p, 0.0032)); }, 30},
     {"blast_2d_options",

@@ -99,6 +99,12 @@ Model with_summed_density(Model model) {
   return model;
 }
 
+Model with_strength(Model model) {
+  model.materials.front().strength = DruckerPrager{1e8, 0.2, 1e5};
+  model.numerics.artificial_stress = 0.3;
+  return model;
+}
+
 void stir(Model& model, double speed) {
   ParticleStore& store = model.particles;
   for (int axis = 0; axis < model.dimension; ++axis)
@@ -116,7 +122,7 @@ std::vector<double> state_by_id(ParticleStore const& store) {
   std::vector<double> state;
   for (FieldInfo const& field : field_table) {
     if (!store.has(field.field)) continue;
-    for (int axis = 0; axis < (field.rank == Rank::vector ? store.dimension() : 1); ++axis)
+    for (int axis = 0; axis < components(field.rank, store.dimension()); ++axis)
       for (std::size_t const i : order) state.push_back(store.component(field.field, axis)[i]);
   }
   return state;

@@ -28,6 +28,9 @@ Model with_options(Model model);
 /// The same model with density by normalised sums, and viscosity beside walls.
 Model with_summed_density(Model model);
 
+/// The same model with a strength in its first material: a soil that yields.
+Model with_strength(Model model);
+
 /// Adds velocities of up to `speed` [m/s] along each axis that differ from particle to particle.
 void stir(Model& model, double speed);
 

@@ -18,6 +18,7 @@ GaugeReader deposit_reader(Case const& c, GaugeSpec const& gauge);
 GaugeReader bubble_reader(Case const& c, GaugeSpec const& gauge);
 GaugeReader rise_reader(Case const& c, GaugeSpec const& gauge);
 GaugeReader expression_reader(Case const& c, GaugeSpec const& gauge);
+GaugeReader particle_reader(Case const& c, GaugeSpec const& gauge);
 GaugeReader plane_reader(Case const& c, GaugeSpec const& gauge);
 
 }  // namespace moraine

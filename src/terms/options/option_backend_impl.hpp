@@ -71,19 +71,12 @@ class OptionBackendImpl final : public OptionBackend {
 
   void add_loads_on_walls(ParticleStore const& store, Search const& search,
                           std::vector<WallLoad>& loads) const override {
-    OptionLoads<D, flavour, Scheme> const on_walls(around_.sweep, options_, around_.records);
-    auto const& wet = search.wet_walls();
-    for_each_block(wet.size(), NeighbourList::block, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) on_walls.add(store, search, wet[n], loads[n]);
-    });
+    this->loads().add_on_walls(store, search, loads);
   }
 
   void add_loads_on_mirrors(ParticleStore const& store, Search const& search,
                             std::vector<MirrorLoad>& loads) const override {
-    OptionLoads<D, flavour, Scheme> const on_walls(around_.sweep, options_, around_.records);
-    for_each_block(loads.size(), NeighbourList::block, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) on_walls.add(store, search, loads[n]);
-    });
+    this->loads().add_on_mirrors(store, search, loads);
   }
 
   std::size_t bytes() const override {
@@ -92,6 +85,12 @@ class OptionBackendImpl final : public OptionBackend {
   }
 
  private:
+  auto loads() const {
+    auto const terms = option_terms<double>(around_.sweep, options_);
+    return OptionLoads<D, flavour, Scheme, OptionSum<double, D>, std::decay_t<decltype(terms)>>(
+        around_.sweep, terms, around_.records);
+  }
+
   static MomentSum<double, D> in_one(MomentSum<Real, D> const& lanes) {
     MomentSum<double, D> sum{};
     for (int k = 0; k < symmetric_size<D>; ++k) sum.matrix[k] = sum_of_lanes(lanes.matrix[k]);

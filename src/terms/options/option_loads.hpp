@@ -5,26 +5,44 @@
 #include "terms/mirror_loads.hpp"
 #include "terms/options/option_records.hpp"
 #include "terms/options/option_sweep.hpp"
-#include "terms/options/option_terms.hpp"
 
 namespace moraine {
 
-/// Looks at pairs of the records of a sweep.
-template <int D, Flavour flavour, class Scheme>
+/// Looks at pairs of the records of a sweep, with terms for numbers of type double that add to a
+/// Sum.
+template <int D, Flavour flavour, class Scheme, class Sum, class Terms>
 class OptionLoads {
   using FluidLayout = typename Scheme::Fluid;
   using WallLayout = typename Scheme::Wall;
   using Vector = std::array<double, 3>;
 
  public:
-  OptionLoads(SweepParameters const& sweep, OptionParameters const& options,
+  OptionLoads(SweepParameters const& sweep, Terms const& terms,
               OptionRecords<D, flavour, Scheme> const& records)
       : constants_(sweep),
-        terms_(option_terms<double>(sweep, options)),
+        terms_(terms),
         scale_(sweep.position_scale),
         uniform_(option_uniform<double>(sweep)),
         records_(records) {}
 
+  /// Adds the forces on all wall particles that have fluid near.
+  void add_on_walls(ParticleStore const& store, Search const& search,
+                    std::vector<WallLoad>& loads) const {
+    auto const& wet = search.wet_walls();
+    for_each_block(wet.size(), NeighbourList::block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) add(store, search, wet[n], loads[n]);
+    });
+  }
+
+  /// Adds the forces on mirror walls.
+  void add_on_mirrors(ParticleStore const& store, Search const& search,
+                      std::vector<MirrorLoad>& loads) const {
+    for_each_block(loads.size(), NeighbourList::block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) add(store, search, loads[n]);
+    });
+  }
+
+ private:
   /// Adds the force on wall particle w.
   void add(ParticleStore const& store, Search const& search, std::size_t w, WallLoad& load) const {
     auto const wall = records_.wall.in_metres(w, scale_);
@@ -55,7 +73,6 @@ class OptionLoads {
     }
   }
 
- private:
   template <Pairing pairing, class Self, class Neighbour>
   void subtract_force(Self const& self, Neighbour const& neighbour, double mass,
                       Vector& force) const {
@@ -63,7 +80,7 @@ class OptionLoads {
     double x[D];
     for (int axis = 0; axis < D; ++axis) x[axis] = self.position(axis) - neighbour.position(axis);
     auto const pair = option_pair<pairing, double, D>(constants_, self, neighbour, x);
-    OptionSum<double, D> sum{};
+    Sum sum{};
     std::apply(
         [&](auto const&... term) { (term.template add<wall>(pair, self, neighbour, sum), ...); },
         terms_);
@@ -72,7 +89,7 @@ class OptionLoads {
   }
 
   OptionConstants<double, D> constants_;
-  decltype(option_terms<double>(SweepParameters{}, OptionParameters{})) terms_;
+  Terms terms_;
   double scale_;
   UniformFields<double> uniform_;
   OptionRecords<D, flavour, Scheme> const& records_;

@@ -55,18 +55,20 @@ struct OptionNeighbours {
     AnySum const before = sum;
     sum_options<Pairing::fluid_fluid, FluidLayout, Real, D>(
         Constants(sweep), self(i), search.fluid_mirrored().of(i), records.fluid.data(), terms, sum);
-    if constexpr (requires { sum.viscous_heat; })
+    if constexpr (requires { sum.energy_rate; })
       if (sweep.walls_keep_work) keep_work(self(i), before, sum);
   }
   template <class Self, class AnySum>
   static void keep_work(Self const& particle, AnySum const& before, AnySum& sum) {
-    Real const other =
-        sum.energy_rate - before.energy_rate - sum.viscous_heat + before.viscous_heat;
+    Real const shared = sum.energy_rate - before.energy_rate;
     Real work = number<Real>(0);
     for (int axis = 0; axis < D; ++axis)
       work += (sum.acceleration[axis] - before.acceleration[axis]) * velocity(particle, axis);
     sum.energy_rate = before.energy_rate - work;
-    sum.viscous_heat = before.viscous_heat - work - other;
+    if constexpr (requires { sum.viscous_heat; }) {
+      Real const other = shared - sum.viscous_heat + before.viscous_heat;
+      sum.viscous_heat = before.viscous_heat - work - other;
+    }
   }
   template <class Terms, class AnySum>
   void add_walls(Search const& search, std::size_t i, Terms const& terms, AnySum& sum) const {

@@ -57,7 +57,8 @@ class OptionRecords {
   Wall wall;
 
  private:
-  /// A mirror without slip reverses all of a velocity, not only the part across it.
+  /// A mirror without slip reverses all of a velocity, not only the part across it, and shows the
+  /// shear stress as it is.
   void reverse_at_stick_walls(std::vector<Image> const& images, DomainSides const& sides) {
     for_each_block(images.size(), loop_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k)
@@ -65,8 +66,15 @@ class OptionRecords {
           if (sides.plane_of(images[k].shift[axis], axis) != Plane::stick_wall) continue;
           for (std::size_t along = 0; along < static_cast<std::size_t>(D); ++along)
             if (along != axis) fluid.reverse_velocity(fluid.owned() + k, along);
+          fluid.reverse_stresses(fluid.owned() + k, axis);
         }
     });
+  }
+
+  /// Sets a field where the records have it.
+  template <PairField field>
+  void put(std::size_t i, double value, int component = 0) {
+    if constexpr (Scheme::Fluid::has(field)) fluid.set(i, field, value, component);
   }
 
   void gather_scalars(ParticleStore const& store, double ahead, Range block) {
@@ -74,22 +82,28 @@ class OptionRecords {
     auto const rate = store.scalar(Field::density_rate);
     auto const mass = store.scalar(Field::mass);
     auto const sound_speed = store.scalar(Field::sound_speed);
+    auto const pressure = store.scalar(Field::pressure);
     bool const varies = store.has(Field::smoothing_length);
     double const to_now = sweep_.summed_density ? 0.0 : ahead;
     for (std::size_t i = block.begin; i < block.end; ++i) {
       MaterialId const material = store.material()[i];
       double const rho = density[i] + to_now * rate[i];
       double const rho_0 = matter_.reference_density[material];
-      fluid.set(i, PairField::compression, (rho - rho_0) / rho_0);
-      fluid.set(i, PairField::reference_density, rho_0);
-      fluid.set(i, PairField::mass, mass[i]);
-      fluid.set(i, PairField::sound_speed, sound_speed[i]);
-      fluid.set(i, PairField::smoothing_length,
-                varies ? store.scalar(Field::smoothing_length)[i] : sweep_.smoothing_length);
-      fluid.set(i, PairField::dynamic_viscosity, matter_.dynamic_viscosity[material]);
-      fluid.set(i, PairField::group, material);
-      if constexpr (Scheme::Fluid::has(PairField::pressure_term))
-        fluid.set(i, PairField::pressure_term, store.scalar(Field::pressure)[i] / (rho * rho));
+      put<PairField::compression>(i, (rho - rho_0) / rho_0);
+      put<PairField::reference_density>(i, rho_0);
+      put<PairField::mass>(i, mass[i]);
+      put<PairField::volume>(i, mass[i] / rho);
+      put<PairField::sound_speed>(i, sound_speed[i]);
+      put<PairField::smoothing_length>(
+          i, varies ? store.scalar(Field::smoothing_length)[i] : sweep_.smoothing_length);
+      if constexpr (Scheme::Fluid::has(PairField::dynamic_viscosity))
+        put<PairField::dynamic_viscosity>(i, matter_.dynamic_viscosity[material]);
+      put<PairField::group>(i, material);
+      put<PairField::pressure_term>(i, pressure[i] / (rho * rho));
+      if constexpr (Scheme::Fluid::has(PairField::stress_term))
+        for (int k = 0; k < symmetric_size<D>; ++k)
+          put<PairField::stress_term>(
+              i, store.component(Field::predicted_stress, k)[i] / (rho * rho), k);
     }
   }
 

@@ -1,0 +1,94 @@
+// Absorbing layers: what comes back of a wave that runs into one.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "setup/build_model.hpp"
+#include "step/simulation.hpp"
+
+namespace moraine {
+namespace {
+
+constexpr double speed = 1500.0;  // m/s
+constexpr double rho = 1000.0;    // kg/m^3
+
+/// One metre of a linear fluid or solid in 1D; a pulse runs from its middle to the right.
+Model bar(bool absorbs, bool solid) {
+  Case c;
+  c.dimension = 1;
+  c.domain = {{-1.0, 0.0, 0.0}, {2.0, 0.0, 0.0}};
+  c.numerics.spacing = 5e-3;
+  c.numerics.viscosity_alpha = c.numerics.viscosity_beta = 0.0;
+  c.numerics.precision = Precision::full;
+  c.time.end = 1.0 / speed;
+  Linear law;
+  law.reference_density = rho;
+  law.reference_sound_speed = speed;
+  law.least_pressure = -std::numeric_limits<double>::infinity();
+  MaterialSpec material{.name = "bar", .eos = law};
+  if (solid) material.strength = {.kind = StrengthKind::elastic, .shear_modulus = 1e9};
+  c.materials = {material};
+  c.regions = {{"bar", "bar", Box{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, {}}};
+  WallSpec wall;
+  wall.name = "ends";
+  wall.box = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
+  c.walls = {wall};
+  if (absorbs) {
+    c.absorbing.sides[0][1] = true;
+    c.absorbing.thickness = 0.3;
+  }
+  Model model = build_model(c);
+  ParticleStore& store = model.particles;
+  double const stiffness = rho * speed * speed + (solid ? 4.0 / 3.0 * 1e9 : 0.0);
+  double const c_l = std::sqrt(stiffness / rho);
+  for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i) {
+    double const x = store.component(Field::position, 0)[i];
+    double const pulse = 1e-3 * std::exp(-std::pow((x - 0.35) / 0.06, 2));
+    store.component(Field::velocity, 0)[i] = c_l * pulse;
+    store.scalar(Field::density)[i] = rho * (1.0 + pulse);
+    if (solid) store.component(Field::deviatoric_stress, 0)[i] = -4.0 / 3.0 * 1e9 * pulse;
+  }
+  return model;
+}
+
+/// Largest speed before the layer once the pulse has been at the end and back, by that of the
+/// start.
+double comes_back(bool absorbs, bool solid) {
+  Simulation simulation(bar(absorbs, solid));
+  double first = 0.0, last = 0.0;
+  auto const fastest = [&] {
+    double most = 0.0;
+    ParticleStore const& store = simulation.particles();
+    for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i)
+      if (store.component(Field::position, 0)[i] < 0.7)
+        most = std::max(most, std::fabs(store.component(Field::velocity, 0)[i]));
+    return most;
+  };
+  first = fastest();
+  while (simulation.running()) simulation.advance();
+  last = fastest();
+  return last / first;
+}
+
+TEST(AbsorbingLayer, LetsLittleOfAPulseComeBack) {
+  EXPECT_GT(comes_back(false, false), 0.9) << "the wall behind reflects";
+  EXPECT_LT(comes_back(true, false), 0.01);
+}
+
+TEST(AbsorbingLayer, AbsorbsStressWavesOfASolid) { EXPECT_LT(comes_back(true, true), 0.01); }
+
+TEST(AbsorbingLayer, BooksWhatItTakes) {
+  Simulation simulation(bar(true, false));
+  auto const balance = [&] {
+    return energy_balance(simulation.sums(), simulation.lost(), simulation.booked());
+  };
+  double const start = balance();
+  double const kinetic = simulation.sums().kinetic_energy;
+  while (simulation.running()) simulation.advance();
+  EXPECT_LT(simulation.booked().damping, -0.2 * kinetic);
+  EXPECT_NEAR(balance(), start, 0.01 * kinetic);
+}
+
+}  // namespace
+}  // namespace moraine
