@@ -120,7 +120,7 @@ void FrameWriter::write(std::ostream& stream, double time) {
   std::vector<Block> blocks;
   blocks.push_back(field_block(Field::position));
   for (Field const field : written_fields) blocks.push_back(field_block(field));
-  for (Field const field : {Field::burn_fraction, Field::smoothing_length})
+  for (Field const field : {Field::burn_fraction, Field::distension, Field::smoothing_length})
     if (kind_ == Kind::fluid && store_.has(field)) blocks.push_back(field_block(field));
   std::size_t const first = range_.begin;
   for (ParticleArray const& array : more_) {

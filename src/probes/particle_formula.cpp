@@ -30,7 +30,7 @@ std::vector<std::string> const& particle_variables() {
       "x",           "y",     "z",       "velocity_x",       "velocity_y",
       "velocity_z",  "speed", "density", "pressure",         "specific_energy",
       "sound_speed", "mass",  "volume",  "smoothing_length", "burn_fraction",
-      "time"};
+      "distension",  "time"};
   return names;
 }
 
@@ -72,7 +72,7 @@ std::string formula_fault(std::string const& formula) {
 
 double ParticleFormula::operator()(ParticleStore const& store, std::size_t i,
                                    double smoothing_length, double time) const {
-  std::array<double, 16> values{};
+  std::array<double, 17> values{};
   double speed2 = 0.0;
   for (int axis = 0; axis < store.dimension(); ++axis) {
     auto const k = static_cast<std::size_t>(axis);
@@ -93,7 +93,8 @@ double ParticleFormula::operator()(ParticleStore const& store, std::size_t i,
   bool const varies = store.has(Field::smoothing_length);
   values[13] = varies ? store.scalar(Field::smoothing_length)[i] : smoothing_length;
   values[14] = store.has(Field::burn_fraction) ? store.scalar(Field::burn_fraction)[i] : 0.0;
-  values[15] = time;
+  values[15] = store.has(Field::distension) ? store.scalar(Field::distension)[i] : 1.0;
+  values[16] = time;
   return formula_(values);
 }
 

@@ -11,6 +11,7 @@
 
 #include "base/input_error.hpp"
 #include "setup/check_burn.hpp"
+#include "setup/check_compaction.hpp"
 #include "setup/check_motion.hpp"
 #include "setup/check_options.hpp"
 #include "setup/check_probe.hpp"
@@ -47,8 +48,10 @@ class CaseCheck {
       source_.report_key("material", {},
                          fmt::format("has {} entries; {} are possible", case_.materials.size(),
                                      largest_material_count));
-    for (MaterialSpec& material : case_.materials)
+    for (MaterialSpec& material : case_.materials) {
       check_burn(material, "material." + material.name + '.', source_);
+      check_compaction(material, "material." + material.name + '.', source_);
+    }
     for (std::size_t i = 0; i < case_.regions.size(); ++i)
       check_region(case_.regions[i], keys_.regions[i] + '.');
     for (std::size_t i = 0; i < case_.walls.size(); ++i) {

@@ -116,7 +116,7 @@ void add_expression(std::vector<Entry<GaugeSpec>>& table) {
        .presence = Presence::required,
        .meaning = "formula of the fields of a particle, in SI units: x, y, z, velocity_x, "
                   "velocity_y, velocity_z, speed, density, pressure, specific_energy, "
-                  "sound_speed, mass, volume, smoothing_length, burn_fraction, time"}));
+                  "sound_speed, mass, volume, smoothing_length, burn_fraction, distension, time"}));
   table.push_back(probe_member<kind, expression, &ExpressionSpec::reduce>(
       {.key = "reduce",
        .type = ValueType::choice,

@@ -48,6 +48,8 @@ void Simulation::transform(Transformation const& change) {
     bool const is_new = store.material()[i] != change.material;
     store.set_material(i, change.material);
     energy = change.specific_energy;
+    if (is_new && store.has(Field::distension))
+      store.scalar(Field::distension)[i] = virgin_distension(model_.materials[change.material].eos);
     if (!model_.materials[change.material].burn) continue;
     if (is_new) store.scalar(Field::burn_fraction)[i] = 0.0;
     light(i);

@@ -24,6 +24,7 @@ enum class Field : std::uint8_t {
   lighting_time,
   smoothing_length,
   drift,
+  distension,
 };
 
 enum class Rank : std::uint8_t { scalar, vector };
@@ -67,6 +68,9 @@ inline constexpr std::array field_table{
               "smoothing length, where it follows the density"},
     FieldInfo{Field::drift, "drift", "m/s", Rank::vector, true, false, true,
               "velocity of the place less that of the material: averaging and shifting"},
+    FieldInfo{Field::distension, "distension", "", Rank::scalar, true, false, true,
+              "least density of the solid over that of the whole that compaction has left; 1 "
+              "elsewhere"},
 };
 inline constexpr std::size_t field_count = field_table.size();
 

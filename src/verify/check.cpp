@@ -16,6 +16,7 @@ namespace moraine {
 std::vector<CheckResult> check_sod(Effort effort);
 std::vector<CheckResult> check_toro(Effort effort);
 std::vector<CheckResult> check_water_hugoniot(Effort effort);
+std::vector<CheckResult> check_compaction(Effort effort);
 std::vector<CheckResult> check_momentum_double(Effort effort);
 std::vector<CheckResult> check_momentum_mixed(Effort effort);
 std::vector<CheckResult> check_energy_order(Effort effort);
@@ -46,6 +47,10 @@ constexpr std::array all_checks{
           "shocks in water have the speed, pressure and density of the jump "
           "conditions",
           check_water_hugoniot},
+    Check{"compaction",
+          "waves that crush pores have the speed, pressure and density of the jump conditions, and "
+          "what they crushed stays so",
+          check_compaction},
     Check{"momentum-double", "pairs conserve momentum to 1e-14 in double precision",
           check_momentum_double},
     Check{"momentum-mixed", "pairs conserve momentum to 1e-6 in mixed precision",
