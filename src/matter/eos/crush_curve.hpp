@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 
 #include "base/macros.hpp"
 
@@ -29,34 +28,41 @@ struct CrushCurve {
   double exponent;                  // -, n
   double half_pressure;             // Pa, p_h
 
-  MORAINE_HD double distension_at(double p) const {
-    return 1.0 + (distension - 1.0) * std::pow(part(p), exponent);
-  }
+  MORAINE_HD double distension_at(double p) const { return at(p).distension; }
 
-  /// d(alpha)/dp towards larger p [1/Pa], not positive. Zero outside of p_e <= p < p_s.
-  MORAINE_HD double slope_at(double p) const {
-    if (!(p >= elastic_limit && p < full_compaction_pressure)) return 0.0;
-    double const softer = 1.0 + (p - elastic_limit) / half_pressure;
-    double const by_pressure = -(1.0 / span() + 1.0 / half_pressure) / (softer * softer);
-    return (distension - 1.0) * exponent * std::pow(part(p), exponent - 1.0) * by_pressure;
+  /// A place on the curve.
+  struct Point {
+    double distension;  // -
+    double slope;  // 1/Pa, d(alpha)/dp towards larger p: not positive, zero outside of the range
+  };
+
+  MORAINE_HD Point at(double p) const {
+    double const q = p - elastic_limit;
+    if (q < 0.0) return {distension, 0.0};
+    if (!(q < span())) return {1.0, 0.0};
+    double const softer = 1.0 / (1.0 + q / half_pressure);
+    double const x = (1.0 - q / span()) * softer;
+    double const by_pressure = -(1.0 / span() + 1.0 / half_pressure) * softer * softer;
+    double const scale = (distension - 1.0) * power(x, exponent - 1.0);
+    return {1.0 + scale * x, scale * exponent * by_pressure};
   }
 
   /// The pressure that crushes down to `alpha`: p_e from alpha_e on, p_s down to 1.
   MORAINE_HD double pressure_at(double alpha) const {
     if (!(alpha < distension)) return elastic_limit;
     if (!(alpha > 1.0)) return full_compaction_pressure;
-    double const x = std::pow((alpha - 1.0) / (distension - 1.0), 1.0 / exponent);
+    double const x = power((alpha - 1.0) / (distension - 1.0), 1.0 / exponent);
     return elastic_limit + span() * (1.0 - x) / (1.0 + x * span() / half_pressure);
   }
 
  private:
   MORAINE_HD double span() const { return full_compaction_pressure - elastic_limit; }
 
-  // x, kept in [0, 1].
-  MORAINE_HD double part(double p) const {
-    double const q = p - elastic_limit;
-    if (!(q > 0.0)) return 1.0;
-    return q < span() ? (1.0 - q / span()) / (1.0 + q / half_pressure) : 0.0;
+  // The usual powers need no logarithm.
+  MORAINE_HD static double power(double x, double of) {
+    if (of == 1.0) return x;
+    if (of == 0.0) return 1.0;
+    return of == 0.5 ? std::sqrt(x) : std::pow(x, of);
   }
 };
 

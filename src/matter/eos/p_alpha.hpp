@@ -93,13 +93,15 @@ struct PAlpha {
   /// State of material with density `rho` [kg/m^3] and energy `e` [J/kg] whose distension has been
   /// as small as `least`: values from virgin_distension() on mean that it is undisturbed.
   MORAINE_HD CompactionResponse respond(double rho, double e, double least) const {
-    Branch const line = elastic_line(least);
-    if (line.solid_part >= 1.0) return compact(rho, e);
+    CrushCurve const curve = crush_curve();
+    Line const line = elastic_line(curve, least);
+    if (!(line.distension > 1.0)) return compact(rho, e);
+    ValueAndSlope const top = excess(line.pressure, line.solid_part, line.slope, rho, e);
     // Rounding must not turn the state in which loading stopped into new loading.
-    if (!(excess(line.pressure, line.solid_part, 0.0, rho, e).value < -rounding() * stiffness()))
-      return on_line(line, rho, e);
+    if (!(top.value < -rounding()))
+      return on_line(line, line.pressure - top.value / top.slope, rho, e);
     if (!(excess(full_compaction_pressure, 1.0, 0.0, rho, e).value > 0.0)) return compact(rho, e);
-    return on_curve(line, rho, e);
+    return on_curve(curve, line, rho, e);
   }
 
   /// The same of undisturbed material: loading for the first time.
@@ -141,16 +143,15 @@ struct PAlpha {
   /// Sound speed with which the crush curve begins, just above the elastic limit [m/s].
   MORAINE_HD double crush_speed() const {
     CrushCurve const curve = crush_curve();
-    double const alpha = curve.distension;
-    double const slope = -curve.slope_at(elastic_limit) / (alpha * alpha);
+    auto const [alpha, slope] = curve.at(elastic_limit);
     double const rho = density_at_pressure(elastic_limit, 0.0);
-    return signed_root(sound_speed_squared_at(1.0 / alpha, slope, rho, 0.0));
+    return signed_root(sound_speed_squared_at(1.0 / alpha, -slope / (alpha * alpha), rho, 0.0));
   }
 
   /// The pressure below zero at which the elastic line of undisturbed material would leave it no
   /// solid [Pa]; nothing is calculated beyond.
   MORAINE_HD double largest_tension() const {
-    Branch const line = elastic_line(virgin_distension());
+    Line const line = elastic_line(crush_curve(), virgin_distension());
     return line.pressure - line.solid_part / line.slope;
   }
 
@@ -161,33 +162,33 @@ struct PAlpha {
  private:
   // The elastic line through a point of the crush curve, by the part of the volume that is solid,
   // b = 1 / alpha.
-  struct Branch {
+  struct Line {
     double pressure;    // Pa, p*
+    double distension;  // -, alpha*
     double solid_part;  // -, 1 / alpha*
     double slope;       // 1/Pa, d(1/alpha)/dp
     MORAINE_HD double at(double p) const { return solid_part - slope * (pressure - p); }
   };
 
-  // Of pressures, in parts of the stiffness of the solid.
-  MORAINE_HD static constexpr double rounding() { return 1e-14; }
+  // Of pressures [Pa].
+  MORAINE_HD double rounding() const { return 1e-14 * stiffness(); }
 
   MORAINE_HD double elastic_slope(double h) const { return (1.0 / (h * h) - 1.0) / stiffness(); }
 
-  MORAINE_HD Branch elastic_line(double least) const {
-    CrushCurve const curve = crush_curve();
+  MORAINE_HD Line elastic_line(CrushCurve const& curve, double least) const {
     double const alpha = least < curve.distension ? (least > 1.0 ? least : 1.0) : curve.distension;
     double const pores = (alpha - 1.0) / (curve.distension - 1.0);
     double const h = 1.0 - (1.0 - reference_sound_speed / solid_sound_speed) * pores;
-    return {curve.pressure_at(alpha), 1.0 / alpha, elastic_slope(h)};
+    return {curve.pressure_at(alpha), alpha, 1.0 / alpha, elastic_slope(h)};
   }
 
   MORAINE_HD double solid_part_of_virgin(double p) const {
     CrushCurve const curve = crush_curve();
-    if (p <= elastic_limit) return elastic_line(curve.distension).at(p);
+    if (p <= elastic_limit) return elastic_line(curve, curve.distension).at(p);
     return 1.0 / curve.distension_at(p);
   }
 
-  // p - b p_solid(rho / b, e) and its derivative by p, with b(p) and its slope.
+  // p - b p_solid(rho / b, e) and its derivative by p, with b(p) and its slope. It rises with p.
   MORAINE_HD ValueAndSlope excess(double p, double b, double slope, double rho, double e) const {
     SquaredResponse const grains = solid().respond_squared(rho / b, e);
     return {p - b * grains.pressure, 1.0 + slope * resistance(grains, rho / b)};
@@ -211,36 +212,37 @@ struct PAlpha {
     return {response.pressure, response.sound_speed_squared, 1.0};
   }
 
-  MORAINE_HD CompactionResponse on_line(Branch const& line, double rho, double e) const {
+  // `guess` is the pressure if the line were straight in the density.
+  MORAINE_HD CompactionResponse on_line(Line const& line, double guess, double rho,
+                                        double e) const {
     auto const at = [&](double p) { return excess(p, line.at(p), line.slope, rho, e); };
-    double const alpha = 1.0 / line.solid_part;
-    if (at(least_pressure).value >= 0.0) return at_floor(line, e);
-    double const p =
-        increasing_root(at, least_pressure, line.pressure, 0.0, rounding() * stiffness());
-    return {p, sound_speed_squared_at(line.at(p), line.slope, rho, e), alpha};
+    if (guess <= least_pressure && at(least_pressure).value >= 0.0) return at_floor(line, e);
+    double const p = increasing_root(at, least_pressure, line.pressure, guess, rounding());
+    if (p <= least_pressure) return at_floor(line, e);
+    return {p, sound_speed_squared_at(line.at(p), line.slope, rho, e), line.distension};
   }
 
-  MORAINE_HD CompactionResponse at_floor(Branch const& line, double e) const {
+  MORAINE_HD CompactionResponse at_floor(Line const& line, double e) const {
     double const b = line.at(least_pressure);
     double const met = b * solid().density_at_pressure(least_pressure / b, e);
     double const c2 = met > 0.0 ? sound_speed_squared_at(b, line.slope, met, e)
                                 : -solid_sound_speed * solid_sound_speed;
-    return {least_pressure, c2, 1.0 / line.solid_part};
+    return {least_pressure, c2, line.distension};
   }
 
-  MORAINE_HD CompactionResponse on_curve(Branch const& from, double rho, double e) const {
-    CrushCurve const curve = crush_curve();
-    double alpha = 1.0, slope = 0.0;
+  MORAINE_HD CompactionResponse on_curve(CrushCurve const& curve, Line const& from, double rho,
+                                         double e) const {
     auto const at = [&](double p) {
-      alpha = curve.distension_at(p);
-      slope = -curve.slope_at(p) / (alpha * alpha);
-      return excess(p, 1.0 / alpha, slope, rho, e);
+      auto const [alpha, slope] = curve.at(p);
+      return excess(p, 1.0 / alpha, -slope / (alpha * alpha), rho, e);
     };
-    double const p = increasing_root(at, from.pressure, full_compaction_pressure, from.pressure,
-                                     rounding() * stiffness());
-    at(p);
-    double const least = 1.0 / from.solid_part;  // never above, not even by rounding
-    return {p, sound_speed_squared_at(1.0 / alpha, slope, rho, e), alpha < least ? alpha : least};
+    // As if the grains were rigid.
+    double const guess = curve.pressure_at(solid_density / rho);
+    double const p =
+        increasing_root(at, from.pressure, full_compaction_pressure, guess, rounding());
+    auto const [alpha, slope] = curve.at(p);
+    double const c2 = sound_speed_squared_at(1.0 / alpha, -slope / (alpha * alpha), rho, e);
+    return {p, c2, alpha < from.distension ? alpha : from.distension};
   }
 };
 
@@ -249,8 +251,8 @@ inline bool PAlpha::unloads_steeply() const {
   CrushCurve const curve = crush_curve();
   for (int k = 0; k < stages; ++k) {
     double const alpha = curve.distension - (curve.distension - 1.0) * k / stages;
-    double const crushed = -curve.slope_at(curve.pressure_at(alpha)) / (alpha * alpha);
-    if (elastic_line(alpha).slope > crushed * (1.0 + 1e-6)) return false;
+    double const crushed = -curve.at(curve.pressure_at(alpha)).slope / (alpha * alpha);
+    if (elastic_line(curve, alpha).slope > crushed * (1.0 + 1e-6)) return false;
   }
   return true;
 }

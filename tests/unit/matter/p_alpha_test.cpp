@@ -50,7 +50,7 @@ TEST(CrushCurve, ItsInverseAndSlopeBelongToIt) {
       double const step = 1e-6 * span;
       double const slope =
           (curve.distension_at(p + step) - curve.distension_at(p - step)) / (2 * step);
-      EXPECT_NEAR(curve.slope_at(p), slope, 1e-6 * std::fabs(slope));
+      EXPECT_NEAR(curve.at(p).slope, slope, 1e-6 * std::fabs(slope));
     }
     EXPECT_EQ(curve.pressure_at(2.0 * curve.distension), curve.elastic_limit);
     EXPECT_EQ(curve.pressure_at(1.0), curve.full_compaction_pressure);
