@@ -10,6 +10,7 @@
 
 #include "app/exact_profile.hpp"
 #include "app/exact_solution.hpp"
+#include "exact/compaction.hpp"
 #include "exact/detonation.hpp"
 #include "exact/hugoniot.hpp"
 #include "exact/slab_release.hpp"
@@ -34,8 +35,8 @@ RiemannSide side_of(ExactValues const& values, std::string const& name) {
   Eos const eos = shipped_material(values.text(name)).spec.eos;
   MaterialPoint const at = material_point(values, name + "_", eos);
   std::string const velocity = name + "_velocity";
-  return {eos, at.density, values.has(velocity) ? values.number(velocity) : 0.0,
-          at.specific_energy};
+  return {law_of_loaded(eos, at.density, at.specific_energy), at.density,
+          values.has(velocity) ? values.number(velocity) : 0.0, at.specific_energy};
 }
 
 /// Nothing for a vacuum.
@@ -75,10 +76,26 @@ ExactAnswer solve_slab(ExactValues const& values) {
                                            [&](double x) { return slab.sample(x, t); })};
 }
 
+/// What runs ahead of compaction by the fastest piston.
+void add_precursor(PAlpha const& porous, RiemannSide const& ahead, double piston,
+                   std::vector<ExactNumber>& numbers) {
+  auto const precursor =
+      waves_from_piston(porous, ahead.density, ahead.specific_energy, piston).precursor;
+  if (!precursor) return;
+  numbers.push_back({"speed of its elastic precursor", precursor->behind.shock_speed, "m/s"});
+  numbers.push_back({"pressure of the precursor", precursor->behind.pressure, "Pa"});
+  numbers.push_back({"velocity behind the precursor", precursor->piston_velocity, "m/s"});
+}
+
 ExactAnswer solve_hugoniot(ExactValues const& values) {
   RiemannSide const ahead = side_of(values, "material");
-  auto const curve = hugoniot_curve(ahead.law, ahead.density, ahead.specific_energy,
-                                    values.number("fastest_piston"), values.points);
+  Eos const& eos = shipped_material(values.text("material")).spec.eos;
+  auto const* porous = std::get_if<PAlpha>(&eos);
+  double const fastest = values.number("fastest_piston");
+  auto const curve =
+      porous != nullptr
+          ? compaction_curve(*porous, ahead.density, ahead.specific_energy, fastest, values.points)
+          : hugoniot_curve(ahead.law, ahead.density, ahead.specific_energy, fastest, values.points);
   ExactAnswer answer;
   answer.profile = table_of({{"piston_velocity", "m/s"},
                              {"shock_speed", "m/s"},
@@ -97,6 +114,7 @@ ExactAnswer solve_hugoniot(ExactValues const& values) {
                     {"its shock speed", last.shock_speed, "m/s"},
                     {"its pressure", last.pressure, "Pa"},
                     {"its density", last.density, "kg/m^3"}};
+  if (porous != nullptr) add_precursor(*porous, ahead, piston, answer.numbers);
   return answer;
 }
 

@@ -70,6 +70,12 @@ void add_pressure(Model& model) {
             if (material.burn)
               return material.burn->law.respond(law, density, energy,
                                                 store.scalar(Field::burn_fraction)[i]);
+          if constexpr (is_compactable<std::decay_t<decltype(law)>>) {
+            double& distension = store.scalar(Field::distension)[i];
+            auto const loaded = law.respond(density, energy, distension);
+            distension = loaded.distension;
+            return StateResponse{loaded.pressure, signed_root(loaded.sound_speed_squared)};
+          }
           return law.respond(density, energy);
         },
         material.eos);

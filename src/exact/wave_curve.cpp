@@ -35,6 +35,9 @@ Wave WaveCurve::wave(double pressure) const {
   if (pressure > ahead_.pressure) {
     auto const [shock, u] =
         shock_to_pressure(law_, ahead_.density, ahead_.specific_energy, pressure);
+    if (shock.shock_speed < (1.0 - 1e-6) * isentrope_.start().sound_speed)
+      throw std::domain_error(
+          "wave: a shock of this pressure would split, sound would run ahead of it");
     return {WaveKind::shock,
             shock.shock_speed,
             shock.shock_speed,

@@ -44,6 +44,7 @@ std::vector<std::string> const& particle_variables() {
                                               "volume",
                                               "smoothing_length",
                                               "burn_fraction",
+                                              "distension",
                                               "stress_xx",
                                               "stress_yy",
                                               "stress_zz",
@@ -110,7 +111,7 @@ void set_solid(ParticleStore const& store, std::size_t i, std::span<double, 9> v
 
 double ParticleFormula::operator()(ParticleStore const& store, std::size_t i,
                                    double smoothing_length, double time) const {
-  std::array<double, 25> values{};
+  std::array<double, 26> values{};
   double speed2 = 0.0;
   for (int axis = 0; axis < store.dimension(); ++axis) {
     auto const k = static_cast<std::size_t>(axis);
@@ -131,8 +132,9 @@ double ParticleFormula::operator()(ParticleStore const& store, std::size_t i,
   bool const varies = store.has(Field::smoothing_length);
   values[13] = varies ? store.scalar(Field::smoothing_length)[i] : smoothing_length;
   values[14] = store.has(Field::burn_fraction) ? store.scalar(Field::burn_fraction)[i] : 0.0;
-  set_solid(store, i, std::span(values).subspan<15, 9>());
-  values[24] = time;
+  values[15] = store.has(Field::distension) ? store.scalar(Field::distension)[i] : 1.0;
+  set_solid(store, i, std::span(values).subspan<16, 9>());
+  values[25] = time;
   return formula_(values);
 }
 

@@ -13,7 +13,7 @@ namespace moraine {
 
 /// Fields that formulas know, by the names of the arrays of frames: x, y, z [m], velocity_x ...,
 /// speed, density, pressure, specific_energy, sound_speed, mass, volume (mass by density),
-/// smoothing_length, burn_fraction, stress_xx ... stress_yz (tension positive, pressure included),
+/// smoothing_length, burn_fraction, distension, stress_xx ... stress_yz (tension positive, pressure included),
 /// shear_stress (sqrt(J2)), plastic_strain, plastic_work, and the time of the reading.
 std::vector<std::string> const& particle_variables();
 
@@ -31,7 +31,8 @@ std::vector<std::string_view> const& known_names();
 std::string formula_fault(std::string const& formula);
 
 /// A formula evaluated for one particle after the other. What a particle does not have is zero
-/// (burn_fraction, components beyond the dimension) or that of all (smoothing_length [m]).
+/// (burn_fraction, components beyond the dimension), one (distension) or that of all
+/// (smoothing_length [m]).
 class ParticleFormula {
  public:
   explicit ParticleFormula(std::string const& text) : formula_(text, particle_variables()) {}

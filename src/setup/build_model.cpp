@@ -43,6 +43,15 @@ void copy_solid(ParticleStore const& old, std::size_t from, ParticleStore& store
         store.component(field, k)[to] = old.component(field, k)[from];
 }
 
+/// What a particle remembers that nothing has happened to.
+void set_memory(Model& model, std::size_t i) {
+  ParticleStore& store = model.particles;
+  if (store.has(Field::lighting_time)) store.scalar(Field::lighting_time)[i] = not_lit;
+  if (store.has(Field::distension))
+    store.scalar(Field::distension)[i] =
+        virgin_distension(model.materials[store.material()[i]].eos);
+}
+
 // In the order of the ids that they had; their new ids count from zero.
 void add_start_particles(Case const& c, Model& model) {
   ParticleStore& store = model.particles;
@@ -57,9 +66,12 @@ void add_start_particles(Case const& c, Model& model) {
     for (Field const field : {Field::density, Field::specific_energy, Field::mass})
       store.scalar(field)[i] = old.scalar(field)[from];
     copy_solid(old, from, store, i);
-    if (!store.has(Field::lighting_time)) continue;
-    store.scalar(Field::lighting_time)[i] = not_lit;
-    if (!old.has(Field::lighting_time)) continue;  // goes on where it had begun to burn
+    set_memory(model, i);
+    if (store.has(Field::distension) && old.has(Field::distension) &&
+        start_knows_compaction(c, old.material()[from]))  // stays compacted
+      store.scalar(Field::distension)[i] = old.scalar(Field::distension)[from];
+    if (!store.has(Field::lighting_time) || !old.has(Field::lighting_time)) continue;
+    // Goes on where it had begun to burn.
     store.scalar(Field::burn_fraction)[i] = old.scalar(Field::burn_fraction)[from];
     store.scalar(Field::lighting_time)[i] =
         old.scalar(Field::lighting_time)[from] - c.start.info.time;
@@ -77,7 +89,7 @@ void add_fluid(Case const& c, Model& model, Members& members) {
     store.scalar(Field::density)[i] = seed.density;
     store.scalar(Field::specific_energy)[i] = seed.specific_energy;
     store.scalar(Field::mass)[i] = seed.mass;
-    if (store.has(Field::lighting_time)) store.scalar(Field::lighting_time)[i] = not_lit;
+    set_memory(model, i);
   }
 }
 
@@ -250,6 +262,7 @@ Model build_model(Case const& c) {
     model.materials.push_back({material.name, material.eos});
     model.materials.back().dynamic_viscosity = material.dynamic_viscosity;
     model.materials.back().strength = strength_of(material.strength);
+    if (can_compact(material.eos)) model.particles.use(Field::distension);
     if (material.burn.kind != BurnKind::programmed) continue;
     model.materials.back().burn = burn_of(material, c.numerics.spacing);
     for (Field const field : {Field::burn_fraction, Field::lighting_time})

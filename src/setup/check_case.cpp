@@ -12,6 +12,7 @@
 #include "base/input_error.hpp"
 #include "setup/check_absorbing.hpp"
 #include "setup/check_burn.hpp"
+#include "setup/check_compaction.hpp"
 #include "setup/check_motion.hpp"
 #include "setup/check_options.hpp"
 #include "setup/check_probe.hpp"
@@ -52,6 +53,7 @@ class CaseCheck {
     for (MaterialSpec& material : case_.materials) {
       check_burn(material, "material." + material.name + '.', source_);
       check_strength(material, "material." + material.name + '.', source_);
+      check_compaction(material, "material." + material.name + '.', source_);
     }
     for (std::size_t i = 0; i < case_.regions.size(); ++i)
       check_region(case_.regions[i], keys_.regions[i] + '.');

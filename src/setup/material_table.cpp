@@ -16,6 +16,10 @@ constexpr std::string_view tnt =
     "TNT; Dobratz and Crawford, UCRL-52997 (1985); energy of Liu and Liu (2003)";
 constexpr std::string_view line =
     "water below 2 km/s, rounded; Marsh, LASL Shock Hugoniot Data (1980)";
+constexpr std::string_view sand =
+    "dry sand; Laine and Sandvik, 4th Asia-Pacific Conference on Shock and Impact Loads on "
+    "Structures (2001) 361";
+constexpr std::string_view quartz = "quartz, rounded; materials/dry_sand.toml";
 constexpr std::string_view air = "air at 15 degC and one atmosphere";
 
 // The constants of one law, an alternative of Eos; their defaults are those of the struct.
@@ -151,10 +155,52 @@ void add_linear(std::vector<Entry<MaterialSpec>>& entries) {
                                      "least pressure that the liquid bears; -inf: no floor");
 }
 
+void add_pores(LawTable<PAlpha>& table) {
+  table.add<&PAlpha::reference_density>("reference_density", Quantity::density, Limits::positive(),
+                                        "density of the undisturbed porous material", sand);
+  table.add<&PAlpha::reference_sound_speed>("reference_sound_speed", Quantity::velocity,
+                                            Limits::positive(),
+                                            "sound speed of the undisturbed porous material", sand);
+  table.add<&PAlpha::elastic_limit>("elastic_limit", Quantity::pressure, Limits::not_negative(),
+                                    "pressure from which on pores are crushed");
+  table.add<&PAlpha::full_compaction_pressure>(
+      "full_compaction_pressure", Quantity::pressure, Limits::positive(),
+      "pressure at which no pore is left", "near the sand of Laine and Sandvik below 15 MPa");
+  table.add<&PAlpha::crush_exponent>(
+      "crush_exponent", Quantity::number, {.min = 1.0},
+      "exponent of the crush curve: how pores close between the two pressures",
+      "Herrmann, J. Appl. Phys. 40 (1969) 2490");
+  table.add<&PAlpha::half_pressure>(
+      "half_pressure", Quantity::pressure,
+      {.min = 0.0, .min_excluded = true, .infinity_allowed = true},
+      "gives the crush curve a long tail: with crush_exponent = 1 about half of the pores are left "
+      "this far above the elastic limit; inf: no tail");
+}
+
+void add_p_alpha(std::vector<Entry<MaterialSpec>>& entries) {
+  LawTable<PAlpha> table(entries);
+  add_pores(table);
+  table.add<&PAlpha::solid_density>("solid_density", Quantity::density, Limits::positive(),
+                                    "density of the solid, the grains", quartz);
+  table.add<&PAlpha::solid_sound_speed>(
+      "solid_sound_speed", Quantity::velocity, Limits::positive(),
+      "of the solid: where the line of shock over particle speed begins", quartz);
+  table.add<&PAlpha::hugoniot_slope>("hugoniot_slope", Quantity::number, Limits::not_negative(),
+                                     "of the solid: slope of shock over particle speed", quartz);
+  table.add<&PAlpha::grueneisen_coefficient>(
+      "grueneisen_coefficient", Quantity::number, Limits::not_negative(),
+      "of the solid, at its density; it falls as 1 / density", quartz);
+  table.add<&PAlpha::reference_energy>("reference_energy", Quantity::specific_energy,
+                                       Limits::none(), "initial energy");
+  table.add<&PAlpha::least_pressure>(
+      "least_pressure", Quantity::pressure, {.max = 0.0},
+      "least pressure that the material bears: minus its spall strength");
+}
+
 // In the order of the list Eos.
 std::vector<std::string_view> law_names() {
-  return {Tait::name, WaterPolynomial::name, Jwl::name, IdealGas::name, MieGrueneisen::name,
-          UsUp::name, Linear::name};
+  return {Tait::name, WaterPolynomial::name, Jwl::name,   IdealGas::name, MieGrueneisen::name,
+          UsUp::name, Linear::name,          PAlpha::name};
 }
 
 // The law of a material file, known before the file is read with this very table.
@@ -208,6 +254,7 @@ std::vector<Entry<MaterialSpec>> make_table() {
   add_mie_grueneisen<UsUp>(
       table, "Grueneisen coefficient at the reference density; it falls as 1 / density");
   add_linear(table);
+  add_p_alpha(table);
   table.push_back(member<MaterialSpec, &MaterialSpec::dynamic_viscosity>(
       {.section = Section::material,
        .key = "dynamic_viscosity",

@@ -116,8 +116,8 @@ void add_expression(std::vector<Entry<GaugeSpec>>& table) {
        .presence = Presence::required,
        .meaning = "formula of the fields of a particle, in SI units: x, y, z, velocity_x, "
                   "velocity_y, velocity_z, speed, density, pressure, specific_energy, "
-                  "sound_speed, mass, volume, smoothing_length, burn_fraction, stress_xx ... "
-                  "stress_yz, shear_stress, plastic_strain, plastic_work, time"}));
+                  "sound_speed, mass, volume, smoothing_length, burn_fraction, distension, "
+                  "stress_xx ... stress_yz, shear_stress, plastic_strain, plastic_work, time"}));
   table.push_back(probe_member<kind, expression, &ExpressionSpec::reduce>(
       {.key = "reduce",
        .type = ValueType::choice,

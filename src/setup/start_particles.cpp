@@ -172,6 +172,11 @@ MaterialId start_material(Case const& c, std::size_t other) {
   return static_cast<MaterialId>(found - c.materials.begin());
 }
 
+bool start_knows_compaction(Case const& c, std::size_t other) {
+  static std::string const line = fmt::format("eos = \"{}\"\n", PAlpha::name);
+  return c.start.info.materials.at(other).constants.find(line) != std::string::npos;
+}
+
 std::vector<InputProblem> start_problems(Case const& c) { return StartCheck(c).run(); }
 
 void add_start_warnings(Case const& c, std::vector<InputProblem>& warnings) {

@@ -18,6 +18,10 @@ std::vector<std::size_t> kept_start_particles(Case const& c);
 /// The material of this case that has the name of a material of the other run.
 MaterialId start_material(Case const& c, std::size_t other);
 
+/// Whether particles of a material of the other run remembered how far they had been compacted. Of
+/// one without pores they know nothing, whatever it is called here.
+bool start_knows_compaction(Case const& c, std::size_t other);
+
 /// Mistakes of a case that do not go with the state that it starts from: another dimension, another
 /// spacing, a material that the case does not have, particles that lie outside the domain or more
 /// than a quarter of the spacing inside a wall, and regions that leave none of its particles.

@@ -7,6 +7,7 @@
 
 #include "base/parallel_for.hpp"
 #include "step/bad_particles.hpp"
+#include "step/compaction.hpp"
 #include "step/simulation.hpp"
 
 namespace moraine {
@@ -156,8 +157,11 @@ void Simulation::evaluate_matter() {
         [&](auto const& law) {
           if constexpr (is_products<std::decay_t<decltype(law)>>)
             if (burn) return pass_material(m, burning(law, burn->law, store, now));
-          pass_material(m,
-                        [&law](std::size_t, double rho, double e) { return law.respond(rho, e); });
+          if constexpr (is_compactable<std::decay_t<decltype(law)>>)
+            return pass_material(m, compacting(law, store));
+          else
+            pass_material(
+                m, [&law](std::size_t, double rho, double e) { return law.respond(rho, e); });
         },
         model_.materials[m].eos);
   }

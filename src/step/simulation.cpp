@@ -128,6 +128,10 @@ void Simulation::exchange(Archive& archive) {
   archive.number("smoothing/clipped_at_most", smoothing_clips_.at_most);
   model_.particles.exchange(archive);
   for (Material const& material : model_.materials)
+    if (can_compact(material.eos) && !model_.particles.has(Field::distension))
+      throw std::runtime_error(
+          fmt::format("{} has pores, but the particles have no distension", material.name));
+  for (Material const& material : model_.materials)
     for (Field const field : {Field::burn_fraction, Field::lighting_time})
       if (material.burn && !model_.particles.has(field))
         throw std::runtime_error(

@@ -51,6 +51,8 @@ void Simulation::transform(Transformation const& change) {
     if (is_new && store.has(Field::deviatoric_stress))
       for (int k = 0; k < components(Rank::symmetric, store.dimension()); ++k)
         store.component(Field::deviatoric_stress, k)[i] = 0.0;
+    if (is_new && store.has(Field::distension))
+      store.scalar(Field::distension)[i] = virgin_distension(model_.materials[change.material].eos);
     if (!model_.materials[change.material].burn) continue;
     if (is_new) store.scalar(Field::burn_fraction)[i] = 0.0;
     light(i);

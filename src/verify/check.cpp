@@ -18,6 +18,7 @@ std::vector<CheckResult> check_toro(Effort effort);
 std::vector<CheckResult> check_water_hugoniot(Effort effort);
 std::vector<CheckResult> check_elastic_waves(Effort effort);
 std::vector<CheckResult> check_soil_shocks(Effort effort);
+std::vector<CheckResult> check_compaction(Effort effort);
 std::vector<CheckResult> check_momentum_double(Effort effort);
 std::vector<CheckResult> check_momentum_mixed(Effort effort);
 std::vector<CheckResult> check_energy_order(Effort effort);
@@ -53,6 +54,10 @@ constexpr std::array all_checks{
     Check{"soil-shocks",
           "shocks in soils and a metal have the speed, stress and density of the jump conditions",
           check_soil_shocks},
+    Check{"compaction",
+          "waves that crush pores have the speed, pressure and density of the jump conditions, and "
+          "what they crushed stays so",
+          check_compaction},
     Check{"momentum-double", "pairs conserve momentum to 1e-14 in double precision",
           check_momentum_double},
     Check{"momentum-mixed", "pairs conserve momentum to 1e-6 in mixed precision",

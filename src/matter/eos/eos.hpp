@@ -11,6 +11,7 @@
 #include "matter/eos/jwl.hpp"
 #include "matter/eos/linear.hpp"
 #include "matter/eos/mie_grueneisen.hpp"
+#include "matter/eos/p_alpha.hpp"
 #include "matter/eos/tait.hpp"
 #include "matter/eos/us_up.hpp"
 #include "matter/eos/water_polynomial.hpp"
@@ -18,7 +19,7 @@
 namespace moraine {
 
 /// Visited once per material and pass, outside the loop over particles.
-using Eos = std::variant<Tait, WaterPolynomial, Jwl, IdealGas, MieGrueneisen, UsUp, Linear>;
+using Eos = std::variant<Tait, WaterPolynomial, Jwl, IdealGas, MieGrueneisen, UsUp, Linear, PAlpha>;
 
 /// Whether a law can be that of the products of an explosive that burns by and by.
 template <class Law>
@@ -28,6 +29,29 @@ inline constexpr bool is_products = requires(Law const& law, double rho) {
 
 inline bool can_burn(Eos const& eos) {
   return std::visit([](auto const& law) { return is_products<std::decay_t<decltype(law)>>; }, eos);
+}
+
+/// Whether particles of a law remember how far they have been compacted.
+template <class Law>
+inline constexpr bool is_compactable = requires(Law const& law) {
+  law.virgin_distension();
+};
+
+inline bool can_compact(Eos const& eos) {
+  return std::visit([](auto const& law) { return is_compactable<std::decay_t<decltype(law)>>; },
+                    eos);
+}
+
+/// What particles remember that have never been compacted; 1 for material without pores.
+inline double virgin_distension(Eos const& eos) {
+  return std::visit(
+      [](auto const& law) {
+        if constexpr (is_compactable<std::decay_t<decltype(law)>>)
+          return law.virgin_distension();
+        else
+          return 1.0;
+      },
+      eos);
 }
 
 /// Density in the undisturbed state [kg/m^3].
@@ -42,8 +66,14 @@ inline double reference_energy(Eos const& eos) {
 
 /// Density that the law cannot reach [kg/m^3]; infinite for most.
 inline double limiting_density(Eos const& eos) {
-  UsUp const* const law = std::get_if<UsUp>(&eos);
-  return law != nullptr ? law->limiting_density() : std::numeric_limits<double>::infinity();
+  return std::visit(
+      [](auto const& law) {
+        if constexpr (requires { law.limiting_density(); })
+          return law.limiting_density();
+        else
+          return std::numeric_limits<double>::infinity();
+      },
+      eos);
 }
 
 /// Name in case files.

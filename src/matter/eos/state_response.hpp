@@ -10,6 +10,10 @@
 //   density_at_pressure(p, e), energy_at_pressure(rho, p)   inverses, for setup; NaN: no such state
 // and, where the material can be the products of an explosive that burns by and by,
 //   pressure_by_energy(rho)          dp/de                               [kg/m^3]
+// and, where particles remember how far they have been compacted,
+//   virgin_distension()              what they remember before           [-]
+//   respond(rho, e, least)           pressure, c^2 and the new memory; the members above are those
+//                                    of material that is loaded for the first time
 // with density rho > 0 [kg/m^3] and specific energy e [J/kg]. Nothing here throws or branches on
 // more than the state.
 #pragma once

@@ -46,14 +46,24 @@ struct UsUp {
   }
 
   MORAINE_HD StateResponse respond(double rho, double e) const {
-    SquaredResponse const response = evaluate(rho, e);
+    SquaredResponse const response = respond_squared(rho, e);
     return {response.pressure, signed_root(response.sound_speed_squared)};
   }
 
-  MORAINE_HD double pressure(double rho, double e) const { return evaluate(rho, e).pressure; }
+  /// Pressure and square of the sound speed at once.
+  MORAINE_HD SquaredResponse respond_squared(double rho, double e) const {
+    return with_floor(
+        least_pressure, stiffness() / reference_density, rho, e,
+        [this](double density, double energy) { return without_floor(density, energy); },
+        [this](double p, double energy) { return density_without_floor(p, energy); });
+  }
+
+  MORAINE_HD double pressure(double rho, double e) const {
+    return respond_squared(rho, e).pressure;
+  }
 
   MORAINE_HD double sound_speed_squared(double rho, double e) const {
-    return evaluate(rho, e).sound_speed_squared;
+    return respond_squared(rho, e).sound_speed_squared;
   }
 
   MORAINE_HD double sound_speed(double rho, double e) const { return respond(rho, e).sound_speed; }
@@ -74,13 +84,6 @@ struct UsUp {
   }
 
  private:
-  MORAINE_HD SquaredResponse evaluate(double rho, double e) const {
-    return with_floor(
-        least_pressure, stiffness() / reference_density, rho, e,
-        [this](double density, double energy) { return without_floor(density, energy); },
-        [this](double p, double energy) { return density_without_floor(p, energy); });
-  }
-
   MORAINE_HD SquaredResponse without_floor(double rho, double e) const {
     double const s = hugoniot_slope;
     double const gamma = grueneisen_coefficient;

@@ -20,7 +20,7 @@ double pressure(Eos const& eos, double rho, double e) {
 // Mass, momentum and energy before and behind, seen from the shock, for all laws.
 TEST(Hugoniot, ObeysTheJumpConditions) {
   for (Eos const& eos : {Eos(Tait{}), Eos(WaterPolynomial{}), Eos(Jwl{}), Eos(IdealGas{}),
-                         Eos(MieGrueneisen{}), Eos(UsUp{}), Eos(Linear{})}) {
+                         Eos(MieGrueneisen{}), Eos(UsUp{}), Eos(Linear{}), Eos(PAlpha{})}) {
     double const rho_0 = reference_density(eos);
     double const e_0 = reference_energy(eos);
     double const p_0 = pressure(eos, rho_0, e_0);

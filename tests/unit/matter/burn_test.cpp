@@ -103,8 +103,8 @@ TEST(ProgrammedBurn, SoundSpeedIsThatOfTheShare) {
 TEST(Products, AreJwlAndIdealGas) {
   EXPECT_TRUE(can_burn(Jwl{}));
   EXPECT_TRUE(can_burn(IdealGas{}));
-  for (Eos const& eos :
-       {Eos(Tait{}), Eos(WaterPolynomial{}), Eos(MieGrueneisen{}), Eos(UsUp{}), Eos(Linear{})})
+  for (Eos const& eos : {Eos(Tait{}), Eos(WaterPolynomial{}), Eos(MieGrueneisen{}), Eos(UsUp{}),
+                         Eos(Linear{}), Eos(PAlpha{})})
     EXPECT_FALSE(can_burn(eos)) << eos_name(eos);
 }
 

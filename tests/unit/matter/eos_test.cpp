@@ -43,6 +43,8 @@ std::vector<LawStates> all_laws() {
       {UsUp{.hugoniot_slope = 0.0, .grueneisen_coefficient = 1.2, .least_pressure = -1e10},
        grid({700, 850, 1001, 1500}, {0.0, 300.0, 1e5})},
       {Linear{}, grid({700, 1000, 1300}, {0.0, 300.0})},
+      {PAlpha{}, grid({1700, 1900, 2400, 2800}, {0.0, 300.0, 1e4})},
+      {PAlpha{.elastic_limit = 1e6, .least_pressure = -1e6}, grid({1680, 2000}, {0.0, 300.0})},
   };
 }
 
@@ -116,6 +118,7 @@ TEST(Eos, ListGivesReferenceStateAndName) {
   EXPECT_EQ(eos_name(MieGrueneisen{}), "mie_grueneisen");
   EXPECT_EQ(eos_name(UsUp{}), "us_up");
   EXPECT_EQ(eos_name(Linear{}), "linear");
+  EXPECT_EQ(eos_name(PAlpha{}), "p_alpha");
   EXPECT_EQ(reference_density(Jwl{}), 1630.0);
   EXPECT_EQ(reference_energy(Jwl{}), 4.29e6);
 }

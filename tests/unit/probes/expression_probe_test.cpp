@@ -49,6 +49,7 @@ TEST(Expression, KnowsAllFields) {
   EXPECT_DOUBLE_EQ(reduced("x", Reduction::mean, MeanWeight::number), 1.0);
   EXPECT_DOUBLE_EQ(reduced("y + z + velocity_z + burn_fraction", Reduction::sum), 0.0);
   EXPECT_DOUBLE_EQ(reduced("time + smoothing_length", Reduction::max), 7.25);
+  EXPECT_DOUBLE_EQ(reduced("distension", Reduction::max), 1.0) << "without pores";
   EXPECT_DOUBLE_EQ(reduced("1", Reduction::integral), 3.0) << "the volume";
 }
 

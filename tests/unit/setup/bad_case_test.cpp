@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
             "case.toml:12:7: material.water.eos: \"steam\" is not a known name; choose one of "
             "\"tait\", \"water_polynomial\", \"jwl\", \"ideal_gas\", \"mie_grueneisen\", "
             "\"us_up\", "
-            "\"linear\""},
+            "\"linear\", \"p_alpha\""},
         Bad{"eos = \"tait\"", "eos = \"tait\"\nexponent = 0.5",
             "case.toml:13:12: material.water.exponent: 0.5 must be at least 1"},
         Bad{"-9.81", "\"0.35 g\"",
