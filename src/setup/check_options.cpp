@@ -11,19 +11,6 @@ bool any_viscosity(Case const& c) {
                      [](MaterialSpec const& m) { return m.dynamic_viscosity > 0.0; });
 }
 
-bool has_weight(Case const& c) {
-  return std::any_of(c.gravity.begin(), c.gravity.end(), [](double g) { return g != 0.0; });
-}
-
-bool mirrors(Case const& c) {
-  return std::any_of(c.walls.begin(), c.walls.end(),
-                     [](WallSpec const& wall) { return wall.mirrors(); });
-}
-
-bool differentiates_density(Numerics const& n) {
-  return n.diffusion == DiffusionForm::gradient && n.density_diffusion > 0.0;
-}
-
 }  // namespace
 
 void check_options(Case const& c, Source& source) {
@@ -68,14 +55,8 @@ void add_option_warnings(Case const& c, std::vector<InputProblem>& warnings) {
   if (corrected && n.shifting == 0.0)
     warn("numerics.gradient_correction", "blows up by itself where motion lasts",
          "give numerics.shifting, 20 is usual");
-  if (has_weight(c) && mirrors(c) && (corrected || differentiates_density(n)))
-    warn(corrected ? "numerics.gradient_correction" : "numerics.density_diffusion_form",
-         "does not know the weight of water in images behind mirror walls: pressures beside them "
-         "are off",
-         "take walls of dummies");
   for (MaterialSpec const& material : c.materials)
-    if (std::holds_alternative<Jwl>(material.eos) &&
-        n.gradient_correction != GradientCorrection::off)
+    if (std::holds_alternative<Jwl>(material.eos) && corrected)
       warn("numerics.gradient_correction",
            "is for flows that stay together; " + material.name + " expands into a spray");
 }

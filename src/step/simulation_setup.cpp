@@ -59,9 +59,8 @@ SweepParameters sweep_parameters(Model const& model) {
   p.viscous_signal = viscous_signal(model.numerics.kernel, model.dimension);
   p.density_diffusion = model.numerics.density_diffusion;
   p.gravity = model.gravity;
-  for (std::size_t axis = 0; axis < 3 && model.numerics.diffusion == DiffusionForm::hydrostatic;
-       ++axis)
-    p.hydrostatic_slope[axis] = model.gravity[axis] / (c * c);
+  for (std::size_t axis = 0; axis < 3; ++axis) p.image_slope[axis] = model.gravity[axis] / (c * c);
+  if (model.numerics.diffusion == DiffusionForm::hydrostatic) p.hydrostatic_slope = p.image_slope;
   p.volume_continuity = model.numerics.continuity == ContinuityForm::volume;
   p.summed_density = model.numerics.density != DensityForm::continuity;
   p.mixed_momentum = model.numerics.momentum == MomentumForm::mixed;

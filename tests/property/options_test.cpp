@@ -26,20 +26,6 @@ Model one_liquid(int dimension) {
   return model;
 }
 
-/// Rates of a model by the main sweep and the optional terms.
-void find_rates(Model& model) {
-  Search search(search_settings(model));
-  search.refresh(model.particles);
-  auto const pairs = make_pair_backend(model.dimension, model.flavour(), scheme_of(model),
-                                       sweep_parameters(model), reference_densities(model));
-  pairs->gather_fluid(model.particles, search, 0.0);
-  pairs->gather_walls(model.particles, search, model.walls);
-  pairs->sweep(model.particles, search);
-  auto const options = make_options_of(model);
-  options->gather(model.particles, search, model.walls, 0.0);
-  options->sweep(model.particles, search);
-}
-
 /// Whether a particle lies `reach` smoothing lengths from the sides of the domain.
 bool is_inner(Model const& model, std::size_t i, double reach) {
   double const margin = reach * model.numerics.smoothing_length();

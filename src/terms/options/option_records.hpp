@@ -25,20 +25,13 @@ class OptionRecords {
         matter_(std::move(matter)) {}
 
   void gather_fluid(ParticleStore const& store, Search const& search, double ahead) {
-    auto const& images = search.images(Kind::fluid);
     std::size_t const count = store.range(Kind::fluid).size();
-    fluid.resize(count, images.size());
+    fluid.resize(count, search.images(Kind::fluid).size());
     for_each_block(count, loop_block, [&](std::size_t begin, std::size_t end) {
       gather_vectors(*this, store, search.settings().fixed_point, ahead, {begin, end});
       gather_scalars(store, ahead, {begin, end});
     });
-    refresh_images(search);
-  }
-
-  void refresh_images(Search const& search) {
-    DomainSides const& sides = search.settings().sides;
-    fluid.refresh(search.images(Kind::fluid), sides);
-    if (sides.any_wall()) reverse_at_stick_walls(search.images(Kind::fluid), sides);
+    refresh_images(fluid, search, sweep_);
   }
 
   /// Wall particles that have fluid near; each shows the velocity of its wall.
@@ -57,18 +50,6 @@ class OptionRecords {
   Wall wall;
 
  private:
-  /// A mirror without slip reverses all of a velocity, not only the part across it.
-  void reverse_at_stick_walls(std::vector<Image> const& images, DomainSides const& sides) {
-    for_each_block(images.size(), loop_block, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k)
-        for (std::size_t axis = 0; axis < static_cast<std::size_t>(D); ++axis) {
-          if (sides.plane_of(images[k].shift[axis], axis) != Plane::stick_wall) continue;
-          for (std::size_t along = 0; along < static_cast<std::size_t>(D); ++along)
-            if (along != axis) fluid.reverse_velocity(fluid.owned() + k, along);
-        }
-    });
-  }
-
   void gather_scalars(ParticleStore const& store, double ahead, Range block) {
     auto const density = store.scalar(Field::density);
     auto const rate = store.scalar(Field::density_rate);

@@ -108,23 +108,5 @@ TEST(OptionKeys, Doubts) {
   EXPECT_EQ(doubts_of("gradient_correction = \"bonet_lok\"\nshifting = 20"), "none");
 }
 
-// Options see images behind mirrors as they are, without the weight of what lies between.
-TEST(OptionKeys, DoubtsOfMirrorsUnderGravity) {
-  Case c = parse_case(text_with("density_diffusion_form = \"gradient\"\ndensity_diffusion = 0.1"),
-                      "case.toml");
-  std::vector<InputProblem> warnings;
-  c.walls.emplace_back().method = WallMethod::mirror;
-  add_option_warnings(c, warnings);
-  EXPECT_TRUE(warnings.empty()) << "no gravity";
-  c.gravity[1] = -9.81;
-  add_option_warnings(c, warnings);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].key, "numerics.density_diffusion_form");
-  c.walls[0].method = WallMethod::dummy;
-  warnings.clear();
-  add_option_warnings(c, warnings);
-  EXPECT_TRUE(warnings.empty()) << "dummies know it";
-}
-
 }  // namespace
 }  // namespace moraine
