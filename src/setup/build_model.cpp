@@ -218,6 +218,7 @@ Model build_model(Case const& c) {
   for (MaterialSpec const& material : c.materials) {
     model.materials.push_back({material.name, material.eos});
     model.materials.back().dynamic_viscosity = material.dynamic_viscosity;
+    model.materials.back().penalty_group = material.penalty_group;
     if (material.burn.kind != BurnKind::programmed) continue;
     model.materials.back().burn = burn_of(material, c.numerics.spacing);
     for (Field const field : {Field::burn_fraction, Field::lighting_time})

@@ -11,6 +11,12 @@ bool any_viscosity(Case const& c) {
                      [](MaterialSpec const& m) { return m.dynamic_viscosity > 0.0; });
 }
 
+bool keeps_apart(Case const& c) {
+  return std::any_of(c.materials.begin(), c.materials.end(), [&](MaterialSpec const& m) {
+    return m.group() != c.materials.front().group();
+  });
+}
+
 }  // namespace
 
 void check_options(Case const& c, Source& source) {
@@ -37,8 +43,10 @@ void add_option_warnings(Case const& c, std::vector<InputProblem>& warnings) {
       if (material.dynamic_viscosity > 0.0)
         warn("material." + material.name + ".dynamic_viscosity", "counts for nothing",
              "give numerics.physical_viscosity");
-  if (n.penalty.strength > 0.0 && c.materials.size() < 2)
-    warn("numerics.penalty.strength", "keeps nothing apart: the case has one material");
+  if (n.penalty.strength > 0.0 && !keeps_apart(c))
+    warn("numerics.penalty.strength",
+         c.materials.size() == 1 ? "keeps nothing apart: the case has one material"
+                                 : "keeps nothing apart: all materials are of one penalty_group");
   if (n.penalty.strength > 0.0 && n.penalty.range == PenaltyRange::smoothing_length &&
       n.smoothing_factor > 1.0)
     warn("numerics.penalty.range", "pushes materials apart that are at rest on their lattice",

@@ -27,6 +27,10 @@ struct Material {
   /// which is infinite for those that are to be lit when their time comes.
   std::optional<Burn> burn{};
   double dynamic_viscosity = 0.0;  // Pa s
+  std::string penalty_group{};     // empty: that of its own name
+
+  /// The penalty keeps materials of different groups apart.
+  std::string const& group() const { return penalty_group.empty() ? name : penalty_group; }
 };
 
 struct Model {

@@ -103,11 +103,27 @@ OptionParameters option_parameters(Model const& model) {
   return p;
 }
 
+namespace {
+
+/// The number of a group is that of its first material.
+std::vector<int> penalty_groups(Model const& model) {
+  auto const& all = model.materials;
+  std::vector<int> groups;
+  for (Material const& material : all) {
+    auto const of_group = [&](Material const& m) { return m.group() == material.group(); };
+    groups.push_back(
+        static_cast<int>(std::find_if(all.begin(), all.end(), of_group) - all.begin()));
+  }
+  return groups;
+}
+
+}  // namespace
+
 std::unique_ptr<OptionBackend> make_options_of(Model const& model) {
   OptionParameters const options = option_parameters(model);
   SweepParameters const sweep = sweep_parameters(model);
   if (!options.any() && !sweep.summed_density) return nullptr;
-  OptionMatter matter{reference_densities(model), {}};
+  OptionMatter matter{reference_densities(model), {}, penalty_groups(model)};
   for (Material const& material : model.materials)
     matter.dynamic_viscosity.push_back(material.dynamic_viscosity);
   return make_option_backend(model.dimension, model.flavour(), sweep, options, std::move(matter));

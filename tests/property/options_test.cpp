@@ -169,6 +169,21 @@ TEST(Penalty, ItsPotentialClosesTheEnergy) {
   EXPECT_LT(fine, 0.4 * coarse);
 }
 
+// A group may be named after one of its materials.
+TEST(Penalty, LeavesMaterialsOfOneGroupTogether) {
+  auto const end = [](double strength, std::string const& group) {
+    Model model = two_blocks(strength, 4e-5);
+    model.materials[1].penalty_group = group;
+    Simulation simulation(std::move(model));
+    for (int step = 0; step < 200; ++step) simulation.advance();
+    return state_by_id(simulation.particles());
+  };
+  auto const without = end(0.0, "");
+  EXPECT_EQ(end(200.0, "left"), without);
+  EXPECT_NE(end(200.0, ""), without);
+  EXPECT_NE(end(200.0, "stone"), without);
+}
+
 TEST(Penalty, LimitsTheTimeStepWhereItIsStiff) {
   Simulation simulation(two_blocks(1e6, 0.0));
   bool limited = false;

@@ -68,7 +68,7 @@ class OptionRecords {
       fluid.set(i, PairField::smoothing_length,
                 varies ? store.scalar(Field::smoothing_length)[i] : sweep_.smoothing_length);
       fluid.set(i, PairField::dynamic_viscosity, matter_.dynamic_viscosity[material]);
-      fluid.set(i, PairField::group, material);
+      fluid.set(i, PairField::group, matter_.penalty_group[material]);
       if constexpr (Scheme::Fluid::has(PairField::pressure_term))
         fluid.set(i, PairField::pressure_term, store.scalar(Field::pressure)[i] / (rho * rho));
     }
