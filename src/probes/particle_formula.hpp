@@ -13,8 +13,8 @@ namespace moraine {
 
 /// Fields that formulas know, by the names of the arrays of frames: x, y, z [m], velocity_x ...,
 /// speed, density, pressure, specific_energy, sound_speed, mass, volume (mass by density),
-/// smoothing_length, burn_fraction, distension, stress_xx ... stress_yz (tension positive, pressure included),
-/// shear_stress (sqrt(J2)), plastic_strain, plastic_work, and the time of the reading.
+/// smoothing_length, burn_fraction, distension, stress_xx ... stress_yz (tension positive, pressure
+/// included), shear_stress (sqrt(J2)), plastic_strain, plastic_work, and the time of the reading.
 std::vector<std::string> const& particle_variables();
 
 /// A name in a formula that means nothing, and where it stands, counted from 1.

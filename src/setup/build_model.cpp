@@ -263,6 +263,7 @@ Model build_model(Case const& c) {
     model.materials.back().dynamic_viscosity = material.dynamic_viscosity;
     model.materials.back().strength = strength_of(material.strength);
     if (can_compact(material.eos)) model.particles.use(Field::distension);
+    model.materials.back().penalty_group = material.penalty_group;
     if (material.burn.kind != BurnKind::programmed) continue;
     model.materials.back().burn = burn_of(material, c.numerics.spacing);
     for (Field const field : {Field::burn_fraction, Field::lighting_time})

@@ -64,6 +64,10 @@ struct MaterialSpec {
   BurnSpec burn{};
   double dynamic_viscosity = 0.0;  // Pa s
   StrengthSpec strength{};
+  std::string penalty_group{};  // empty: that of its own name
+
+  /// The penalty keeps materials of different groups apart.
+  std::string const& group() const { return penalty_group.empty() ? name : penalty_group; }
 };
 
 /// Layers of several materials from the top downwards, against gravity. There are as many

@@ -11,17 +11,10 @@ bool any_viscosity(Case const& c) {
                      [](MaterialSpec const& m) { return m.dynamic_viscosity > 0.0; });
 }
 
-bool has_weight(Case const& c) {
-  return std::any_of(c.gravity.begin(), c.gravity.end(), [](double g) { return g != 0.0; });
-}
-
-bool mirrors(Case const& c) {
-  return std::any_of(c.walls.begin(), c.walls.end(),
-                     [](WallSpec const& wall) { return wall.mirrors(); });
-}
-
-bool differentiates_density(Numerics const& n) {
-  return n.diffusion == DiffusionForm::gradient && n.density_diffusion > 0.0;
+bool keeps_apart(Case const& c) {
+  return std::any_of(c.materials.begin(), c.materials.end(), [&](MaterialSpec const& m) {
+    return m.group() != c.materials.front().group();
+  });
 }
 
 }  // namespace
@@ -50,8 +43,10 @@ void add_option_warnings(Case const& c, std::vector<InputProblem>& warnings) {
       if (material.dynamic_viscosity > 0.0)
         warn("material." + material.name + ".dynamic_viscosity", "counts for nothing",
              "give numerics.physical_viscosity");
-  if (n.penalty.strength > 0.0 && c.materials.size() < 2)
-    warn("numerics.penalty.strength", "keeps nothing apart: the case has one material");
+  if (n.penalty.strength > 0.0 && !keeps_apart(c))
+    warn("numerics.penalty.strength",
+         c.materials.size() == 1 ? "keeps nothing apart: the case has one material"
+                                 : "keeps nothing apart: all materials are of one penalty_group");
   if (n.penalty.strength > 0.0 && n.penalty.range == PenaltyRange::smoothing_length &&
       n.smoothing_factor > 1.0)
     warn("numerics.penalty.range", "pushes materials apart that are at rest on their lattice",
@@ -68,14 +63,8 @@ void add_option_warnings(Case const& c, std::vector<InputProblem>& warnings) {
   if (corrected && n.shifting == 0.0)
     warn("numerics.gradient_correction", "blows up by itself where motion lasts",
          "give numerics.shifting, 20 is usual");
-  if (has_weight(c) && mirrors(c) && (corrected || differentiates_density(n)))
-    warn(corrected ? "numerics.gradient_correction" : "numerics.density_diffusion_form",
-         "does not know the weight of water in images behind mirror walls: pressures beside them "
-         "are off",
-         "take walls of dummies");
   for (MaterialSpec const& material : c.materials)
-    if (std::holds_alternative<Jwl>(material.eos) &&
-        n.gradient_correction != GradientCorrection::off)
+    if (std::holds_alternative<Jwl>(material.eos) && corrected)
       warn("numerics.gradient_correction",
            "is for flows that stay together; " + material.name + " expands into a spray");
 }

@@ -264,6 +264,13 @@ std::vector<Entry<MaterialSpec>> make_table() {
        .meaning = "viscosity of a Newtonian fluid; counts where numerics.physical_viscosity is "
                   "given",
        .source = "water at 20 degC has 1 mPa s"}));
+  table.push_back(member<MaterialSpec, &MaterialSpec::penalty_group>(
+      {.section = Section::material,
+       .key = "penalty_group",
+       .type = ValueType::text,
+       .preset_note = "the name of the material: it repels every other one",
+       .meaning = "materials of one group do not repel each other where numerics.penalty.strength "
+                  "is given; layers of soil that are bonded share one"}));
   add_burn_entries(table);
   add_strength_entries(table);
   return table;

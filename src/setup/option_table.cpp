@@ -71,8 +71,8 @@ void add_penalty(std::vector<Entry<Case>>& table) {
       {.key = "numerics.penalty.strength",
        .preset = 0.0,
        .limits = Limits::not_negative(),
-       .meaning = "strength of the repulsion between particles of different materials, in N in 2D, "
-                  "J in 3D, Pa m in 1D; 0: none",
+       .meaning = "strength of the repulsion between particles of materials of different "
+                  "material.penalty_group, in N in 2D, J in 3D, Pa m in 1D; 0: none",
        .source = "1e5 is usual for blast; Liu and Liu (2003), chapter 6"}));
   table.push_back(member<Case, numerics, penalty, &PenaltySpec::range>(
       {.key = "numerics.penalty.range",

@@ -32,6 +32,10 @@ struct Material {
   double dynamic_viscosity = 0.0;  // Pa s
   /// The particles of a model with a solid use the fields of solid_fields.
   Strength strength{};
+  std::string penalty_group{};  // empty: that of its own name
+
+  /// The penalty keeps materials of different groups apart.
+  std::string const& group() const { return penalty_group.empty() ? name : penalty_group; }
 };
 
 /// Optional fields that particles have where any material has a strength.

@@ -59,9 +59,8 @@ SweepParameters sweep_parameters(Model const& model) {
   p.viscous_signal = viscous_signal(model.numerics.kernel, model.dimension);
   p.density_diffusion = model.numerics.density_diffusion;
   p.gravity = model.gravity;
-  for (std::size_t axis = 0; axis < 3 && model.numerics.diffusion == DiffusionForm::hydrostatic;
-       ++axis)
-    p.hydrostatic_slope[axis] = model.gravity[axis] / (c * c);
+  for (std::size_t axis = 0; axis < 3; ++axis) p.image_slope[axis] = model.gravity[axis] / (c * c);
+  if (model.numerics.diffusion == DiffusionForm::hydrostatic) p.hydrostatic_slope = p.image_slope;
   p.volume_continuity = model.numerics.continuity == ContinuityForm::volume;
   p.summed_density = model.numerics.density != DensityForm::continuity;
   p.mixed_momentum = model.numerics.momentum == MomentumForm::mixed;
@@ -104,11 +103,27 @@ OptionParameters option_parameters(Model const& model) {
   return p;
 }
 
+namespace {
+
+/// The number of a group is that of its first material.
+std::vector<int> penalty_groups(Model const& model) {
+  auto const& all = model.materials;
+  std::vector<int> groups;
+  for (Material const& material : all) {
+    auto const of_group = [&](Material const& m) { return m.group() == material.group(); };
+    groups.push_back(
+        static_cast<int>(std::find_if(all.begin(), all.end(), of_group) - all.begin()));
+  }
+  return groups;
+}
+
+}  // namespace
+
 std::unique_ptr<OptionBackend> make_options_of(Model const& model) {
   OptionParameters const options = option_parameters(model);
   SweepParameters const sweep = sweep_parameters(model);
   if (!options.any() && !sweep.summed_density) return nullptr;
-  OptionMatter matter{reference_densities(model), {}};
+  OptionMatter matter{reference_densities(model), {}, penalty_groups(model)};
   for (Material const& material : model.materials)
     matter.dynamic_viscosity.push_back(material.dynamic_viscosity);
   return make_option_backend(model.dimension, model.flavour(), sweep, options, std::move(matter));

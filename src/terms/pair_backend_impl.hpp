@@ -222,7 +222,8 @@ class PairBackendImpl final : public PairBackend {
       double distance2 = 0.0;
       for (int axis = 0; axis < D; ++axis) {
         double const difference =
-            pairs_.metres_between(pairs_.fluid.record(i)[axis], neighbours.record(j)[axis]);
+            metres_between(pairs_.fluid.record(i)[axis], neighbours.record(j)[axis],
+                           pairs_.parameters.position_scale);
         distance2 += difference * difference;
       }
       near += distance2 < reach * reach ? 1 : 0;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -55,15 +54,6 @@ struct PairRecords {
   /// h [m] of a fluid record against a wall.
   double wall_smoothing(std::size_t i) const {
     return std::max(own_smoothing(i), parameters.smoothing_length);
-  }
-
-  double metres_between(Slot a, Slot b) const {
-    if constexpr (std::is_same_v<Slot, float>)
-      return (static_cast<double>(std::bit_cast<Units>(a)) -
-              static_cast<double>(std::bit_cast<Units>(b))) *
-             parameters.position_scale;
-    else
-      return a - b;
   }
 
   SweepParameters parameters;

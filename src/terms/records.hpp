@@ -14,6 +14,17 @@
 
 namespace moraine {
 
+/// a - b [m] of two coordinates of records; `scale`: metres per fixed-point unit.
+template <class Slot>
+double metres_between(Slot a, Slot b, double scale) {
+  if constexpr (std::is_same_v<Slot, float>)
+    return (static_cast<double>(std::bit_cast<Units>(a)) -
+            static_cast<double>(std::bit_cast<Units>(b))) *
+           scale;
+  else
+    return a - b;
+}
+
 /// Records of owned particles, then of their images, in the slots of search/record_slots.hpp.
 /// Positions are fixed-point units (kept as bits) for Slot float, metres for Slot double.
 template <class Slot, class Layout>

@@ -19,7 +19,8 @@ struct SweepParameters {
   double viscous_signal = 0.6;                // share of alpha c + beta |mu| in the signal speed
   double density_diffusion = 0.0;             // delta [-]
   std::array<double, 3> gravity{};            // m/s^2
-  std::array<double, 3> hydrostatic_slope{};  // g / c_0^2 [1/m]
+  std::array<double, 3> hydrostatic_slope{};  // g / c_0^2 [1/m], of the density diffusion
+  std::array<double, 3> image_slope{};        // g / c_0^2 [1/m], of images at mirror walls
   bool volume_continuity = false;             // form of the continuity equation
   bool mixed_momentum = false;                // form of the pressure force
   bool summed_density = false;                // density is no state: nothing to predict

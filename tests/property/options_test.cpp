@@ -26,20 +26,6 @@ Model one_liquid(int dimension) {
   return model;
 }
 
-/// Rates of a model by the main sweep and the optional terms.
-void find_rates(Model& model) {
-  Search search(search_settings(model));
-  search.refresh(model.particles);
-  auto const pairs = make_pair_backend(model.dimension, model.flavour(), scheme_of(model),
-                                       sweep_parameters(model), reference_densities(model));
-  pairs->gather_fluid(model.particles, search, 0.0);
-  pairs->gather_walls(model.particles, search, model.walls);
-  pairs->sweep(model.particles, search);
-  auto const options = make_options_of(model);
-  options->gather(model.particles, search, model.walls, 0.0);
-  options->sweep(model.particles, search);
-}
-
 /// Whether a particle lies `reach` smoothing lengths from the sides of the domain.
 bool is_inner(Model const& model, std::size_t i, double reach) {
   double const margin = reach * model.numerics.smoothing_length();
@@ -181,6 +167,21 @@ TEST(Penalty, ItsPotentialClosesTheEnergy) {
   EXPECT_GT(stored, 0.1);  // J; the kinetic energy is 80 J
   EXPECT_LT(coarse, 0.05 * stored);
   EXPECT_LT(fine, 0.4 * coarse);
+}
+
+// A group may be named after one of its materials.
+TEST(Penalty, LeavesMaterialsOfOneGroupTogether) {
+  auto const end = [](double strength, std::string const& group) {
+    Model model = two_blocks(strength, 4e-5);
+    model.materials[1].penalty_group = group;
+    Simulation simulation(std::move(model));
+    for (int step = 0; step < 200; ++step) simulation.advance();
+    return state_by_id(simulation.particles());
+  };
+  auto const without = end(0.0, "");
+  EXPECT_EQ(end(200.0, "left"), without);
+  EXPECT_NE(end(200.0, ""), without);
+  EXPECT_NE(end(200.0, "stone"), without);
 }
 
 TEST(Penalty, LimitsTheTimeStepWhereItIsStiff) {

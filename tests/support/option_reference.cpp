@@ -37,6 +37,19 @@ double plain_central_kernel(Model const& model, std::size_t i) {
   return kernel_at(model, 0.0, plain_smoothing(model, i)).kernel;
 }
 
+void find_rates(Model& model) {
+  Search search(search_settings(model));
+  search.refresh(model.particles);
+  auto const pairs = make_pair_backend(model.dimension, model.flavour(), scheme_of(model),
+                                       sweep_parameters(model), reference_densities(model));
+  pairs->gather_fluid(model.particles, search, 0.0);
+  pairs->gather_walls(model.particles, search, model.walls);
+  pairs->sweep(model.particles, search);
+  auto const options = make_options_of(model);
+  options->gather(model.particles, search, model.walls, 0.0);
+  options->sweep(model.particles, search);
+}
+
 std::vector<PlainPair> plain_pairs(Model const& model, std::size_t i) {
   ParticleStore const& store = model.particles;
   std::size_t const fluid = store.range(Kind::fluid).size();

@@ -9,6 +9,9 @@
 
 namespace moraine {
 
+/// Rates of a model by the main sweep and the optional terms; its particles are sorted on the way.
+void find_rates(Model& model);
+
 /// A neighbour of a fluid particle, by the nearest of its periodic images.
 struct PlainPair {
   std::size_t j = 0;  // index in the store

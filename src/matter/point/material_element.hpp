@@ -10,6 +10,7 @@ struct ElementState {
   double density = 0.0;          // kg/m^3
   double specific_energy = 0.0;  // J/kg
   double pressure = 0.0;         // Pa
+  double distension = 1.0;       // that compaction has left [-]
   StressState shear{};           // deviatoric stress, plastic strain and work
   Symmetric<3> strain{};         // logarithmic, summed up; tension positive [-]
 
@@ -33,6 +34,8 @@ class MaterialElement {
   ElementState after(ElementState const& before, Deformation const& d) const;
 
  private:
+  /// Pressure of a state, which notes how far it has been compacted since `before`.
+  void find_pressure(ElementState& state, ElementState const& before) const;
   StressState shear_after(StressState const& before, Deformation const& d, double pressure) const;
 
   Eos eos_;

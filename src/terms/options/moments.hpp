@@ -78,18 +78,18 @@ Symmetric<D> gradient_correction(Symmetric<D> const& m) {
 
 /// Velocity [m/s] that takes particles to where there are fewer of them.
 ///
-///   dv_i = - A h_i V_i f_i grad C_i,   at most V_i / 2,   V_i = max_j |v_ij|,
+///   dv_i = - A h_i U_i f_i grad C_i,   at most U_i / 2,   U_i = max_j |v_ij|,
 ///   f_i = clamp((tr M / d - 0.75) / 0.2)
 ///
 /// Source: Lind, Xu, Stansby & Rogers, J. Comput. Phys. 231 (2012) 1499, with the diffusion
 /// coefficient of Skillen et al., Comput. Methods Appl. Mech. Eng. 265 (2013) 163: A |v| h
 /// dt. grad C: sum `concentration`. f: own choice; the trace of M, the divergence of position of
 /// Lee et al., J. Comput. Phys. 227 (2008) 8417, is d inside and about d / 2 at a free surface, so
-/// that nothing is shifted there. Departure: V_i where the source has |v_i|, which shifts a liquid
+/// that nothing is shifted there. Departure: U_i where the source has |v_i|, which shifts a liquid
 /// that travels as a whole and nothing at a point of stagnation, where flow draws particles into
-/// lines. V is about 2 h |grad v|: what shifting does while a flow deforms a neighbourhood depends
+/// lines. U is about 2 h |grad v|: what shifting does while a flow deforms a neighbourhood depends
 /// on A alone, at any spacing. A of 20 to 40 keeps vortices even; the source has 2 |v|.
-/// Range: V much slower than sound / A; beyond, the bound decides and places tremble.
+/// Range: U much slower than sound / A; beyond, the bound decides and places tremble.
 template <int D>
 std::array<double, 3> shifting_velocity(double coefficient, double h,
                                         MomentSum<double, D> const& moments) {

@@ -59,6 +59,7 @@ class OptionBackend {
 struct OptionMatter {
   std::vector<double> reference_density;  // kg/m^3
   std::vector<double> dynamic_viscosity;  // Pa s
+  std::vector<int> penalty_group;         // any number for each group
 };
 
 /// Flavour mixed or full.

@@ -158,7 +158,7 @@ class OptionBackendImpl final : public OptionBackend {
         around_.records.fluid.set(i, PairField::correction,
                                   gradients_[i][static_cast<std::size_t>(D + k)], k);
     });
-    around_.records.refresh_images(search);
+    refresh_images(around_.records.fluid, search, around_.sweep);
   }
 
   OptionOutcome sum_terms(ParticleStore& store, Search const& search) const {

@@ -25,20 +25,13 @@ class OptionRecords {
         matter_(std::move(matter)) {}
 
   void gather_fluid(ParticleStore const& store, Search const& search, double ahead) {
-    auto const& images = search.images(Kind::fluid);
     std::size_t const count = store.range(Kind::fluid).size();
-    fluid.resize(count, images.size());
+    fluid.resize(count, search.images(Kind::fluid).size());
     for_each_block(count, loop_block, [&](std::size_t begin, std::size_t end) {
       gather_vectors(*this, store, search.settings().fixed_point, ahead, {begin, end});
       gather_scalars(store, ahead, {begin, end});
     });
-    refresh_images(search);
-  }
-
-  void refresh_images(Search const& search) {
-    DomainSides const& sides = search.settings().sides;
-    fluid.refresh(search.images(Kind::fluid), sides);
-    if (sides.any_wall()) reverse_at_stick_walls(search.images(Kind::fluid), sides);
+    refresh_images(fluid, search, sweep_);
   }
 
   /// Wall particles that have fluid near; each shows the velocity of its wall.
@@ -57,20 +50,6 @@ class OptionRecords {
   Wall wall;
 
  private:
-  /// A mirror without slip reverses all of a velocity, not only the part across it, and shows the
-  /// shear stress as it is.
-  void reverse_at_stick_walls(std::vector<Image> const& images, DomainSides const& sides) {
-    for_each_block(images.size(), loop_block, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k)
-        for (std::size_t axis = 0; axis < static_cast<std::size_t>(D); ++axis) {
-          if (sides.plane_of(images[k].shift[axis], axis) != Plane::stick_wall) continue;
-          for (std::size_t along = 0; along < static_cast<std::size_t>(D); ++along)
-            if (along != axis) fluid.reverse_velocity(fluid.owned() + k, along);
-          fluid.reverse_stresses(fluid.owned() + k, axis);
-        }
-    });
-  }
-
   /// Sets a field where the records have it.
   template <PairField field>
   void put(std::size_t i, double value, int component = 0) {
@@ -98,7 +77,8 @@ class OptionRecords {
           i, varies ? store.scalar(Field::smoothing_length)[i] : sweep_.smoothing_length);
       if constexpr (Scheme::Fluid::has(PairField::dynamic_viscosity))
         put<PairField::dynamic_viscosity>(i, matter_.dynamic_viscosity[material]);
-      put<PairField::group>(i, material);
+      if constexpr (Scheme::Fluid::has(PairField::group))
+        put<PairField::group>(i, matter_.penalty_group[material]);
       put<PairField::pressure_term>(i, pressure[i] / (rho * rho));
       if constexpr (Scheme::Fluid::has(PairField::stress_term))
         for (int k = 0; k < symmetric_size<D>; ++k)

@@ -21,14 +21,14 @@ class StrengthBackendImpl final : public StrengthBackend {
       : solid_(std::move(matter.solid)),
         tension_(matter.artificial_stress),
         kernel_at_spacing_(kernel_at(sweep, 1.0 / matter.smoothing_factor)),
-        around_(sweep, OptionMatter{std::move(matter.reference_density), {}}) {}
+        around_(sweep, OptionMatter{std::move(matter.reference_density), {}, {}}) {}
 
   void gather(ParticleStore const& store, Search const& search, WallData const& walls,
               double ahead) override {
     around_.gather(store, search, walls, ahead);
     if constexpr (Scheme::Fluid::has(PairField::artificial_stress)) {
       put_artificial_stress(store);
-      around_.records.refresh_images(search);
+      refresh_images(around_.records.fluid, search, around_.sweep);
     }
     find_solids(store, search);
   }

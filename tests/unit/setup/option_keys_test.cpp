@@ -60,6 +60,32 @@ TEST(OptionKeys, ReachTheSweep) {
   EXPECT_EQ(again.materials[0].dynamic_viscosity, 1e-3);
 }
 
+TEST(OptionKeys, PenaltyGroups) {
+  auto const with = [](std::string const& one, std::string const& other) {
+    return "space.dimension = 2\nresolution.spacing = 0.1\ntime.end = 1\n"
+           "numerics.penalty.strength = 1\n[material.sand]\neos = \"tait\"\n" +
+           one + "\n[material.clay]\neos = \"tait\"\n" + other +
+           "\n[[region]]\nname = \"r\"\nmaterial = \"sand\"\n"
+           "box = { min = [0, 0], max = [1, 1] }\n";
+  };
+  auto const doubts = [](Case const& c) -> std::string {
+    std::vector<InputProblem> warnings;
+    add_option_warnings(c, warnings);
+    return warnings.empty() ? "none" : InputErrors(warnings).what();
+  };
+  std::string const soil = "penalty_group = \"soil\"";
+  Case const apart = parse_case(with("", soil), "case.toml");
+  EXPECT_EQ(build_model(apart).materials[0].group(), "sand") << "by default its own";
+  EXPECT_EQ(build_model(apart).materials[1].group(), "soil");
+  EXPECT_EQ(doubts(apart), "none");
+  Case const again = parse_case(used_case(apart), "used.toml");
+  EXPECT_EQ(again.materials[0].penalty_group, "");
+  EXPECT_EQ(again.materials[1].penalty_group, "soil");
+  EXPECT_EQ(doubts(parse_case(with(soil, soil), "case.toml")),
+            std::string("case.toml:4:29: numerics.penalty.strength: 1 keeps nothing apart: all "
+                        "materials are of one penalty_group"));
+}
+
 TEST(OptionKeys, ACaseWithoutThemHasNoBackend) {
   EXPECT_EQ(make_options_of(build_model(parse_case(text_with(""), "case.toml"))), nullptr);
   EXPECT_NE(
@@ -106,24 +132,6 @@ TEST(OptionKeys, Doubts) {
             "case.toml:5:23: numerics.gradient_correction: \"bonet_lok\" blows up by itself where "
             "motion lasts; give numerics.shifting, 20 is usual");
   EXPECT_EQ(doubts_of("gradient_correction = \"bonet_lok\"\nshifting = 20"), "none");
-}
-
-// Options see images behind mirrors as they are, without the weight of what lies between.
-TEST(OptionKeys, DoubtsOfMirrorsUnderGravity) {
-  Case c = parse_case(text_with("density_diffusion_form = \"gradient\"\ndensity_diffusion = 0.1"),
-                      "case.toml");
-  std::vector<InputProblem> warnings;
-  c.walls.emplace_back().method = WallMethod::mirror;
-  add_option_warnings(c, warnings);
-  EXPECT_TRUE(warnings.empty()) << "no gravity";
-  c.gravity[1] = -9.81;
-  add_option_warnings(c, warnings);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].key, "numerics.density_diffusion_form");
-  c.walls[0].method = WallMethod::dummy;
-  warnings.clear();
-  add_option_warnings(c, warnings);
-  EXPECT_TRUE(warnings.empty()) << "dummies know it";
 }
 
 }  // namespace
