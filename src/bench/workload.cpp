@@ -48,6 +48,28 @@ name = "box"
 container = { min = ["-50 cm", "-50 cm"], max = ["50 cm", "50 cm"] }
 )";
 
+constexpr std::string_view charge_on_soil_text = R"(
+title = "6 x 6 cm of TNT on loose sand"
+space = { dimension = 2, domain = { min = ["-50 cm", "-1 m"], max = ["50 cm", "1 m"] } }
+resolution = { spacing = "1 cm", smoothing_factor = 2.0, kernel = "cubic_spline", smoothing = { mode = "density" } }
+numerics = { penalty = { strength = 1e5 } }
+time.end = "500 us"
+material.sand.use = "sand_loose"
+material.tnt.use = "tnt"
+[[region]]
+name = "ground"
+material = "sand"
+box = { min = ["-50 cm", "-1 m"], max = ["50 cm", "0 m"] }
+[[region]]
+name = "charge"
+material = "tnt"
+box = { min = ["-3 cm", "0 cm"], max = ["3 cm", "6 cm"] }
+[[wall]]
+name = "box"
+container = { min = ["-50 cm", "-1 m"], max = ["50 cm", "1 m"] }
+open = ["y+"]
+)";
+
 template <int thousandths_of_a_millimetre>
 Case dam_break_3d() {
   return dam_break(3, 1e-6 * thousandths_of_a_millimetre, Precision::mixed);
@@ -57,6 +79,11 @@ Case tnt_in_water_variable() {
   Case c = tnt_in_water();
   c.numerics.smoothing.mode = SmoothingMode::density;
   return c;
+}
+
+template <int thousandths_of_a_millimetre>
+Case charge_on_soil_3d() {
+  return charge_on_soil(1e-6 * thousandths_of_a_millimetre);
 }
 
 constexpr Workload list[] = {
@@ -83,6 +110,22 @@ constexpr Workload list[] = {
      .make = tnt_in_water_variable,
      .warm_up = 0,
      .steps = 0},
+    {.name = "charge-on-soil",
+     .description = "6 x 6 cm of TNT on 10 000 particles of sand in 2D, h of 2 spacings, from 0 to "
+                    "500 microseconds",
+     .make = charge_on_soil_2d,
+     .warm_up = 0,
+     .steps = 0},
+    {.name = "charge-on-soil-3d",
+     .description = "a quarter of a charge on sand in 3D, 126 000 particles with a strength",
+     .make = charge_on_soil_3d<10000>,
+     .warm_up = 50,
+     .steps = 100},
+    {.name = "charge-on-soil-3d-2e6",
+     .description = "the same with two million particles",
+     .make = charge_on_soil_3d<4000>,
+     .warm_up = 10,
+     .steps = 20},
     {.name = "dam-break-3d-1e4",
      .description = "scaling with size: 9 900 particles",
      .make = dam_break_3d<20000>},
@@ -143,6 +186,33 @@ open = ["{top}"]
 }
 
 Case tnt_in_water() { return parse_case(tnt_in_water_text, "tnt-in-water"); }
+
+Case charge_on_soil_2d() { return parse_case(charge_on_soil_text, "charge-on-soil"); }
+
+Case charge_on_soil(double spacing) {
+  std::string const text = fmt::format(R"(
+title = "A quarter of a charge on sand"
+space = {{ dimension = 3, symmetry = ["x-", "y-"], domain = {{ min = [0, 0, -0.5], max = [0.5, 0.5, 0.5] }} }}
+resolution = {{ spacing = {}, smoothing_factor = 1.3, kernel = "wendland_c2" }}
+time.end = "1 ms"
+material.sand.use = "sand_loose"
+material.tnt.use = "tnt"
+[[region]]
+name = "ground"
+material = "sand"
+box = {{ min = [0, 0, -0.5], max = [0.5, 0.5, 0] }}
+[[region]]
+name = "charge"
+material = "tnt"
+box = {{ min = [0, 0, 0], max = [0.06, 0.06, 0.06] }}
+[[wall]]
+name = "box"
+container = {{ min = [0, 0, -0.5], max = [0.5, 0.5, 0.5] }}
+open = ["x-", "y-", "z+"]
+)",
+                                       spacing);
+  return parse_case(text, "charge-on-soil-3d");
+}
 
 Case periodic_block(int dimension, int particles, Precision precision) {
   double const edge = particles;

@@ -37,6 +37,15 @@ Case dam_break(int dimension, double spacing, Precision precision);
 /// The shipped case cases/tnt-in-water: 10 000 particles, two materials, 500 microseconds.
 Case tnt_in_water();
 
+/// The shipped case cases/surface-charge-6cm with h of 2 spacings and without gauges: 10 036
+/// particles, one material with a strength, 500 microseconds.
+Case charge_on_soil_2d();
+
+/// A quarter of 12 x 12 x 6 cm of TNT on half a metre of loose sand in 3D, burnt at once: constant h
+/// of 1.3 spacings, about 70 neighbours, all of the sand with a strength. spacing in m, 1 cm makes 126
+/// 000 particles.
+Case charge_on_soil(double spacing);
+
 /// A periodic block of water at rest, `particles` long in every direction, spacing 1 m; kernel and
 /// smoothing length as in dam_break. The smallest state with complete neighbourhoods.
 Case periodic_block(int dimension, int particles, Precision precision);

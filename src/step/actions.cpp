@@ -37,6 +37,7 @@ void Simulation::choose_time_step() {
   vote = stricter(vote, vote_of_repulsion());
   vote = stricter(vote, vote_of_burn());
   vote = stricter(vote, vote_of_options());
+  vote = stricter(vote, vote_of_expansion());
   if (stages_.damping() > 0.0)
     vote = stricter(vote, {0.5 / stages_.damping(), damping_limit, Vote::nobody});
   if (spec.fixed_step > 0.0) vote = {spec.fixed_step, fixed_limit, Vote::nobody};

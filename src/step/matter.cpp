@@ -39,6 +39,29 @@ void Simulation::sort_by_material() {
     by_material_[model_.particles.material()[i]].push_back(static_cast<std::uint32_t>(i));
 }
 
+/// No particle loses more than a share of its density in a step, at the present rates.
+Vote Simulation::vote_of_expansion() const {
+  if (!density_is_state()) return {};
+  ParticleStore const& store = model_.particles;
+  auto const density = store.scalar(Field::density);
+  auto const rate = store.scalar(Field::density_rate);
+  struct Fastest {
+    double share = 0.0;  // of its density that a particle loses [1/s]
+    std::size_t particle = 0;
+  };
+  auto const of_block = [&](std::size_t begin, std::size_t end) {
+    Fastest fastest;
+    for (std::size_t i = begin; i < end; ++i)
+      if (double const share = -rate[i] / density[i]; share > fastest.share) fastest = {share, i};
+    return fastest;
+  };
+  Fastest const fastest =
+      reduce_blocks(store.range(Kind::fluid).size(), Fastest{}, of_block,
+                    [](Fastest a, Fastest b) { return b.share > a.share ? b : a; });
+  return {largest_expansion_of_step / fastest.share, expansion_limit,
+          store.id()[fastest.particle]};
+}
+
 void Simulation::evaluate_matter() {
   ParticleStore& store = model_.particles;
   auto const density = store.scalar(Field::density);

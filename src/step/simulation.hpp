@@ -170,6 +170,7 @@ class Simulation {
   Vote vote_of_repulsion() const;
   Vote vote_of_burn() const;
   Vote vote_of_options() const;
+  Vote vote_of_expansion() const;
   bool density_is_state() const { return model_.numerics.density == DensityForm::continuity; }
   void exchange_options(Archive& archive);
   double speed_of_walls() const;

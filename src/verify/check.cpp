@@ -18,6 +18,7 @@ std::vector<CheckResult> check_toro(Effort effort);
 std::vector<CheckResult> check_water_hugoniot(Effort effort);
 std::vector<CheckResult> check_elastic_waves(Effort effort);
 std::vector<CheckResult> check_soil_shocks(Effort effort);
+std::vector<CheckResult> check_surface_charge(Effort effort);
 std::vector<CheckResult> check_compaction(Effort effort);
 std::vector<CheckResult> check_momentum_double(Effort effort);
 std::vector<CheckResult> check_momentum_mixed(Effort effort);
@@ -54,6 +55,9 @@ constexpr std::array all_checks{
     Check{"soil-shocks",
           "shocks in soils and a metal have the speed, stress and density of the jump conditions",
           check_soil_shocks},
+    Check{"surface-charge",
+          "a charge on soil keeps energy and symmetry, penetrates nothing, and arrives in time",
+          check_surface_charge},
     Check{"compaction",
           "waves that crush pores have the speed, pressure and density of the jump conditions, and "
           "what they crushed stays so",

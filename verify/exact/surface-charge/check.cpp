@@ -1,0 +1,290 @@
+// What must be true of a charge on soil.
+#include "verify/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "exact/riemann.hpp"
+#include "exact/uniaxial_solid.hpp"
+#include "probes/connected_body.hpp"
+#include "probes/crater_probe.hpp"
+#include "probes/point_probe.hpp"
+#include "setup/build_model.hpp"
+#include "setup/check_strength.hpp"
+#include "setup/materials.hpp"
+#include "step/simulation.hpp"
+#include "verify/shipped_cases.hpp"
+
+namespace moraine {
+namespace {
+
+constexpr double moment = 200e-6;  // s, at which craters are compared
+
+// ---- a plane slab on soil ------------------------------------------------------------------
+
+Case slab_on(MaterialSpec const& soil, double spacing) {
+  Case c;
+  c.dimension = 1;
+  c.domain = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
+  c.numerics.spacing = spacing;
+  c.numerics.smoothing_factor = 2.0;
+  c.numerics.smoothing.mode = SmoothingMode::density;
+  c.numerics.continuity = ContinuityForm::volume;
+  c.numerics.momentum = MomentumForm::mixed;
+  c.numerics.precision = Precision::full;
+  c.time.end = 1e-3;  // never reached
+  c.materials = {shipped_material("tnt").spec, soil};
+  c.regions = {{"slab", "tnt", Box{{0.0, 0.0, 0.0}, {0.3, 0.0, 0.0}}, {}},
+               {"ground", soil.name, Box{{0.3, 0.0, 0.0}, {0.7, 0.0, 0.0}}, {}}};
+  WallSpec wall;
+  wall.name = "end";
+  wall.box = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
+  wall.open[0][1] = true;
+  c.walls = {wall};
+  return c;
+}
+
+RiemannProblem slab_solution(MaterialSpec const& soil) {
+  MaterialSpec const& tnt = shipped_material("tnt").spec;
+  UniaxialSolid const ground{soil.eos, strength_of(soil.strength)};
+  return {{Law(tnt.eos), reference_density(tnt.eos), 0.0, reference_energy(tnt.eos)},
+          {Law(ground), reference_density(soil.eos), 0.0, reference_energy(soil.eos)}};
+}
+
+/// -sigma_xx of a particle.
+double axial_stress(ParticleStore const& store, std::size_t i) {
+  return store.scalar(Field::pressure)[i] - store.component(Field::deviatoric_stress, 0)[i];
+}
+
+/// Mean axial stress of the ground between two places.
+double mean_stress(ParticleStore const& store, double from, double to) {
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i) {
+    double const x = store.component(Field::position, 0)[i];
+    if (store.material()[i] != 1 || x < from || x > to) continue;
+    sum += axial_stress(store, i);
+    count += 1.0;
+  }
+  return sum / count;
+}
+
+/// Farthest place of the ground where the axial stress is above `level`.
+double front(ParticleStore const& store, double level) {
+  double place = 0.3;
+  for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i)
+    if (store.material()[i] == 1 && axial_stress(store, i) > level)
+      place = std::max(place, store.component(Field::position, 0)[i]);
+  return place;
+}
+
+void add_slab(char const* name, double spacing, std::vector<CheckResult>& results) {
+  MaterialSpec const& soil = shipped_material(name).spec;
+  RiemannProblem const exact = slab_solution(soil);
+  double const p = exact.star_pressure();
+  Simulation simulation(build_model(slab_on(soil, spacing)));
+  ParticleStore const& store = simulation.particles();
+  constexpr double depth = 0.15;  // m, of the gauge; the plateau lasts until the release from behind
+  while (simulation.running() && front(store, 0.5 * p) < 0.3 + depth) simulation.advance();
+  double const time = simulation.time();
+  double const arrival = depth / exact.right_wave()->head;
+  double const contact = 0.3 + exact.star_velocity() * time;
+  double const shocked = 0.3 + depth - contact;
+  results.push_back(compare(fmt::format("surface-charge: plane slab on {}, arrival", name),
+                            1e6 * time, 1e6 * arrival, 0.03e6 * arrival, "us",
+                            "15 cm inside the ground; exact: Riemann problem"));
+  results.push_back(compare(fmt::format("surface-charge: plane slab on {}, stress", name),
+                            1e-9 * mean_stress(store, contact + 0.2 * shocked,
+                                               contact + 0.8 * shocked),
+                            1e-9 * p, 0.03e-9 * p, "GPa", "plateau behind the shock"));
+}
+
+// ---- charges on the surface ----------------------------------------------------------------
+
+Case charge(int cm, double spacing, Precision precision) {
+  Case c = shipped_case(fmt::format("surface-charge-{}cm", cm));
+  c.numerics.spacing = spacing;
+  c.numerics.precision = precision;
+  c.time.end = moment;
+  return c;
+}
+
+double budget(Simulation const& simulation) {
+  return energy_balance(simulation.sums(), simulation.lost(), simulation.booked());
+}
+
+CraterReading crater_of(Simulation const& simulation) {
+  Numerics const& numerics = simulation.model().numerics;
+  ParticleStore const& store = simulation.particles();
+  ConnectedBody const body = connected_body(
+      store, simulation.search(), numerics.smoothing_length(), Selection{{0}, {}}.of(store));
+  BodyView const view{store,        simulation.search(), numerics.kernel, numerics.smoothing_length(),
+                      body.members, Upwards{1, 1.0}};
+  Model const& model = simulation.model();
+  return probe_crater(view, {0.0, {}, 0.45, 16, model.domain_min, model.domain_max,
+                             numerics.spacing});
+}
+
+double pressure_at(Simulation const& simulation, double depth) {
+  Numerics const& numerics = simulation.model().numerics;
+  return probe_point(simulation.particles(), simulation.search(), numerics.kernel,
+                     numerics.smoothing_length(), {0.0, -depth, 0.0})
+      .pressure;
+}
+
+/// Largest difference between a particle and the one that began as its mirror image [spacings].
+double asymmetry(Simulation const& simulation, std::vector<std::uint64_t> const& mirror) {
+  ParticleStore const& store = simulation.particles();
+  std::vector<std::array<double, 2>> at(mirror.size(), {1e30, 1e30});
+  for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i)
+    at[store.id()[i]] = {store.component(Field::position, 0)[i],
+                         store.component(Field::position, 1)[i]};
+  double worst = 0.0;
+  for (std::size_t id = 0; id < mirror.size(); ++id) {
+    auto const& a = at[id];
+    auto const& b = at[mirror[id]];
+    if (a[0] > 1e29 && b[0] > 1e29) continue;  // both have left
+    if (a[0] > 1e29 || b[0] > 1e29) continue;  // one is about to: told by the energy of the lost
+    worst = std::max({worst, std::fabs(a[0] + b[0]), std::fabs(a[1] - b[1])});
+  }
+  return worst / simulation.model().numerics.spacing;
+}
+
+/// Number of the particle that begins at the mirror image of each.
+std::vector<std::uint64_t> mirror_images(ParticleStore const& store) {
+  std::size_t const count = store.range(Kind::fluid).size();
+  std::vector<std::uint64_t> mirror(count);
+  auto const x = store.component(Field::position, 0), y = store.component(Field::position, 1);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < count; ++j)
+      if (std::fabs(x[i] + x[j]) < 1e-6 && std::fabs(y[i] - y[j]) < 1e-6 &&
+          store.material()[i] == store.material()[j])
+        mirror[store.id()[i]] = store.id()[j];
+  return mirror;
+}
+
+/// Particles that are alone among those of the other material.
+int strangers(ParticleStore const& store) {
+  std::size_t const count = store.range(Kind::fluid).size();
+  auto const x = store.component(Field::position, 0), y = store.component(Field::position, 1);
+  auto const mass = store.scalar(Field::mass), density = store.scalar(Field::density);
+  int found = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    double const reach = 1.5 * std::sqrt(mass[i] / density[i]);
+    int own = 0, other = 0;
+    for (std::size_t j = 0; j < count; ++j) {
+      if (j == i || std::fabs(x[i] - x[j]) > reach || std::fabs(y[i] - y[j]) > reach) continue;
+      if (std::hypot(x[i] - x[j], y[i] - y[j]) > reach) continue;
+      (store.material()[i] == store.material()[j] ? own : other) += 1;
+    }
+    found += own == 0 && other > 1 ? 1 : 0;
+  }
+  return found;
+}
+
+struct ChargeRun {
+  CraterReading crater{};
+  double energy = 0.0;     // error by the energy of the explosive
+  double arrival = 0.0;    // s, of half of the peak, 25 cm below
+  double peak = 0.0;       // Pa, there
+  double early_asymmetry = 0.0, asymmetry = 0.0;
+  double least_plastic_work = 0.0;  // J/kg
+  int strangers = 0;
+};
+
+ChargeRun run_charge(int cm, double spacing, Precision precision) {
+  Simulation simulation(build_model(charge(cm, spacing, precision)));
+  ParticleStore const& store = simulation.particles();
+  auto const mirror = mirror_images(store);
+  double const start = budget(simulation);
+  ChargeRun run;
+  std::vector<std::pair<double, double>> gauge;
+  while (simulation.running()) {
+    simulation.advance();
+    gauge.emplace_back(simulation.time(), pressure_at(simulation, 0.25));
+    run.peak = std::max(run.peak, gauge.back().second);
+    if (simulation.step() == 100) run.early_asymmetry = asymmetry(simulation, mirror);
+  }
+  for (auto const& [time, pressure] : gauge)
+    if (run.arrival == 0.0 && pressure > 0.5 * run.peak) run.arrival = time;
+  Jwl const& tnt = std::get<Jwl>(simulation.model().materials[1].eos);
+  double const explosive =
+      cm * cm * 1e-4 * tnt.reference_density * tnt.reference_energy;  // J/m
+  run.energy = std::fabs(budget(simulation) - start) / explosive;
+  run.crater = crater_of(simulation);
+  run.asymmetry = asymmetry(simulation, mirror);
+  for (double const work : store.scalar(Field::plastic_work))
+    run.least_plastic_work = std::min(run.least_plastic_work, work);
+  run.strangers = strangers(store);
+  return run;
+}
+
+void add_one_charge(ChargeRun const& run, std::vector<CheckResult>& results) {
+  RiemannProblem const slab = slab_solution(shipped_material("sand_loose").spec);
+  double const sound = std::sqrt(1440.0 * 1440.0 + 4.0 / 3.0 * 63.58e6 / 1450.0);
+  double const soonest = 1e6 * 0.25 / slab.right_wave()->head;
+  double const latest = 1e6 * 0.25 / sound;
+  results.push_back(compare("surface-charge: arrival 25 cm below", 1e6 * run.arrival,
+                            0.5 * (soonest + latest), 0.5 * (latest - soonest), "us",
+                            "half of the peak; between the strongest possible shock and sound"));
+  results.push_back(at_most("surface-charge: energy", run.energy, 0.01, "-",
+                            "change of the balance by the energy of the explosive"));
+  results.push_back(at_most("surface-charge: symmetry over 100 steps", run.early_asymmetry, 1e-9,
+                            "spacings", "double precision"));
+  results.push_back(
+      at_most("surface-charge: symmetry at the end", run.asymmetry, 1.0, "spacings", "200 us"));
+  results.push_back(at_most("surface-charge: penetration", run.strangers, 0.0, "particles",
+                            "alone among particles of the other material"));
+  results.push_back(at_most("surface-charge: negative plastic work", -run.least_plastic_work, 0.0,
+                            "J/kg", "least of all particles"));
+}
+
+/// A size that must grow from one run to the next.
+CheckResult grows(char const* what, double smaller, double larger) {
+  return compare(fmt::format("surface-charge: {} grows with the charge", what),
+                 larger > smaller ? 1.0 : 0.0, 1.0, 0.0, "-",
+                 fmt::format("{:.3g} and {:.3g} cm", 100.0 * smaller, 100.0 * larger));
+}
+
+CheckResult settles(char const* what, double coarse, double middle, double fine, double scale,
+                    char const* unit) {
+  return compare(fmt::format("surface-charge: {} by resolution", what), middle / fine, 1.0, 0.25,
+                 "-",
+                 fmt::format("{:.4g}, {:.4g}, {:.4g} {} at 2, 1, 0.5 cm", scale * coarse,
+                             scale * middle, scale * fine, unit));
+}
+
+}  // namespace
+
+std::vector<CheckResult> check_surface_charge(Effort effort) {
+  std::vector<CheckResult> results;
+  double const spacing = effort == Effort::quick ? 1e-3 : 0.5e-3;
+  for (char const* soil : {"sand_loose", "sand_dense", "sand_saturated"})
+    add_slab(soil, spacing, results);
+  ChargeRun const six = run_charge(6, 0.01, Precision::full);
+  add_one_charge(six, results);
+  if (effort == Effort::quick) return results;
+  ChargeRun const four = run_charge(4, 0.01, Precision::mixed);
+  ChargeRun const ten = run_charge(10, 0.01, Precision::mixed);
+  results.push_back(grows("diameter (4, 6 cm)", four.crater.apparent_diameter,
+                          six.crater.apparent_diameter));
+  results.push_back(
+      grows("diameter (6, 10 cm)", six.crater.apparent_diameter, ten.crater.apparent_diameter));
+  results.push_back(grows("depth (4, 6 cm)", four.crater.depth, six.crater.depth));
+  results.push_back(grows("depth (6, 10 cm)", six.crater.depth, ten.crater.depth));
+  ChargeRun const coarse = run_charge(6, 0.02, Precision::mixed);
+  ChargeRun const fine = run_charge(6, 0.005, Precision::mixed);
+  results.push_back(settles("diameter of the crater", coarse.crater.apparent_diameter,
+                            six.crater.apparent_diameter, fine.crater.apparent_diameter, 100.0,
+                            "cm"));
+  results.push_back(settles("depth of the crater", coarse.crater.depth, six.crater.depth,
+                            fine.crater.depth, 100.0, "cm"));
+  results.push_back(settles("peak 25 cm below", coarse.peak, six.peak, fine.peak, 1e-6, "MPa"));
+  return results;
+}
+
+}  // namespace moraine
