@@ -1,6 +1,6 @@
 #include "bench/workload.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +59,7 @@ Case tnt_in_water_variable() {
   return c;
 }
 
-constexpr Workload list[] = {
+Workload const list[] = {
     {.name = "dam-break-3d",
      .description = "dam break in 3D, 128 310 particles, mixed precision: the headline number",
      .make = dam_break_3d<8500>,
@@ -101,7 +101,14 @@ constexpr Workload list[] = {
 
 std::span<Workload const> workloads() { return list; }
 
+Workload workload_of_file(std::string_view name) {
+  return {.name = name, .description = "of a case file", .make = [name] {
+            return read_case(std::string(name));
+          }};
+}
+
 std::optional<Workload> find_workload(std::string_view name) {
+  if (name.ends_with(".toml")) return workload_of_file(name);
   auto const found = std::find_if(std::begin(list), std::end(list),
                                   [&](Workload const& workload) { return workload.name == name; });
   return found == std::end(list) ? std::nullopt : std::optional(*found);

@@ -1,6 +1,6 @@
 #include "setup/build_model.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
