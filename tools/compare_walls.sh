@@ -36,6 +36,28 @@ manifest_of() {
     "$1/manifest.json"
 }
 
+# values_of FILE NAME...: columns of a table of results, by the names in its first line without
+# their units; the columns of each row with spaces between them.
+values_of() {
+  local file=$1
+  shift
+  awk -F, -v wanted="$(printf '|%s' "$@")" '
+    NR == 1 {
+      for (k = 1; k <= NF; ++k) {
+        sub(/ \[[^]]*\]$/, "", $k)
+        at[$k] = k
+      }
+      count = split(substr(wanted, 2), names, "|")
+      for (k = 1; k <= count; ++k)
+        if (!(names[k] in at)) {
+          print FILENAME ": no column " names[k] > "/dev/stderr"
+          exit 1
+        }
+      next
+    }
+    { for (k = 1; k <= count; ++k) printf "%s%s", $at[names[k]], k < count ? " " : "\n" }' "$file"
+}
+
 # Largest error of the pressure on a line through still water from 1 cm above the floor to 5 cm below
 # the surface, over rho g H, and ms of the processor per step.
 still_water() {
@@ -51,9 +73,11 @@ END
   rm -rf still
   TIMEFORMAT=%U
   { time run still; } 2>used
-  tail -n 1 still/gauges.csv | awk -F, '{
+  local columns=()
+  for point in {1..45}; do columns+=("line[$point] pressure"); done
+  values_of still/gauges.csv "${columns[@]}" | tail -n 1 | awk '{
     for (k = 0; k < 45; ++k) {
-      e = $(2 + 5 * k) / (9810 * 0.5) - (0.49 - 0.01 * k) / 0.5
+      e = $(1 + k) / (9810 * 0.5) - (0.49 - 0.01 * k) / 0.5
       if (e < 0) e = -e
       if (e > worst) worst = e
     }
@@ -70,27 +94,38 @@ front() {
       -e 's/^frames = .*//' >front.toml
   rm -rf front
   run front
-  awk -F, 'NR > 1 {
+  values_of front/gauges.csv time "front front" | awk '{
     z = $2 / 0.05715
     t = $1 * sqrt(2 * 9.81 / 0.05715)
     if (z <= 1.44) begin = t
     if (z <= 4.11) end = t
   }
-  END { printf " %+.1f", 100 * (2.14 / (end - begin) - 1) }' front/gauges.csv
+  END { printf " %+.1f", 100 * (2.14 / (end - begin) - 1) }'
 }
 
-# Particles outside of the closed tank, of all, and steps.
+# Particles that leak from the closed tank, of all, and steps: those beyond its walls by any distance,
+# the most at any reading (every 10 ms), and those that have left for good, 1 mm beyond.
 leaks() {
   with_method dam-break-2d "$1" "$2" 5.6 |
     sed -e 's/^spacing = .*/spacing = "5.715 mm"/' -e "s/^end = .*/end = \"$seconds s\"/" \
-      -e 's/^frames = .*//' -e 's/^gauges = .*/gauges = "1 s"/' -e '/^open = /d' \
-      -e 's/"1.143 m"/"171.45 mm"/' >leaks.toml
+      -e 's/^frames = .*//' -e 's/^gauges = .*/gauges = "10 ms"/' -e 's/^sums = .*/sums = "1 s"/' \
+      -e '/^open = /d' -e 's/"1.143 m"/"171.45 mm"/' -e '/^\[\[gauge\]\]/,$d' >leaks.toml
   sed -i '/^dimension = 2/a domain = { min = ["-1 mm", "-1 mm"], max = ["172.45 mm", "172.45 mm"] }' \
     leaks.toml
+  cat >>leaks.toml <<'END'
+[[gauge]]
+name = "outside"
+kind = "expression"
+formula = "max(max(-x, x - 0.17145), max(-y, y - 0.17145)) > 0 ? 1 : 0"
+reduce = "sum"
+END
   rm -rf leaks
   run leaks
-  tail -n 1 leaks/sums.csv | awk -F, -v steps="$(manifest_of leaks steps)" \
-    '{ printf " %d %d %d", $15, $14 + $15, steps }'
+  local most
+  most=$(values_of leaks/gauges.csv outside | sort -g | tail -n 1)
+  values_of leaks/sums.csv lost_particles particles | tail -n 1 |
+    awk -v most="$most" -v steps="$(manifest_of leaks steps)" \
+      '{ printf " %d %d %d", $1 + most, $1 + $2, steps }'
 }
 
 printf '| walls | slip | still water, error / ρgH | dam break, speed of the front | leaks | steps | cost of a step |\n'

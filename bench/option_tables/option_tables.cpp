@@ -1,6 +1,6 @@
 // Measures what the options of [numerics] and the kernels do, and prints the tables of
 // docs/options.md. Runs on one thread, about two minutes.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <omp.h>
 
 #include <algorithm>

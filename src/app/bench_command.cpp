@@ -1,5 +1,5 @@
 // moraine bench: speed and memory of this program on this machine.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <omp.h>
 
 #include <algorithm>

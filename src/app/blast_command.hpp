@@ -1,11 +1,14 @@
 // moraine blast: answers about explosions without a simulation.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace moraine {
 

@@ -1,6 +1,6 @@
 #include "app/blast_derived.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "app/blast_input.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <charconv>

@@ -1,8 +1,9 @@
 #include "app/case_commands.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <omp.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "app/commands.hpp"

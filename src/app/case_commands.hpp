@@ -1,9 +1,12 @@
 // Commands about case files: check, explain, materials, new, schema.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace moraine {
 

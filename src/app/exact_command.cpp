@@ -1,8 +1,9 @@
 // moraine exact: exact solutions as numbers, tables and pictures.
 #include "app/exact_command.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>

@@ -1,9 +1,12 @@
 // moraine exact: exact solutions to compare with.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace moraine {
 

@@ -1,5 +1,5 @@
 // Exact solutions for an ideal gas: shock tubes, Noh, Sedov.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 

@@ -1,5 +1,5 @@
 // Exact solutions for any material: Riemann problem, Hugoniot curves, detonation, release.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Parameters of `moraine exact`: from texts to SI values, with all mistakes at once.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <charconv>

@@ -1,5 +1,5 @@
 // The command line.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -98,7 +98,8 @@ void add_surface(CLI::App& app, Options& options) {
 
 void add_bench(CLI::App& app, Options& options) {
   auto* command = app.add_subcommand("bench", "measure the speed of this program on this machine");
-  command->add_option("name", options.bench.names, "workloads, or roof (default: the usual ones)");
+  command->add_option("name", options.bench.names,
+                      "workloads, case files, or roof (default: the usual ones)");
   command->add_flag("--list", options.bench.list, "say which workloads there are");
   command->add_flag("--json", options.bench.json, "figures as JSON");
   command->add_option("--threads,-t", options.bench.threads, "number of threads (default: all)")

@@ -1,12 +1,15 @@
 // moraine motion: ground motion records, their measures and spectra, and synthetic ones.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "app/record_options.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace moraine {
 

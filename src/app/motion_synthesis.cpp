@@ -1,6 +1,6 @@
 #include "app/motion_synthesis.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <filesystem>

@@ -1,5 +1,5 @@
 // moraine plot: pictures of a run folder.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <filesystem>
 #include <stdexcept>

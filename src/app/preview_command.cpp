@@ -1,5 +1,5 @@
 // moraine preview: what a case looks like, without running it.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cmath>

@@ -1,12 +1,15 @@
 // Options about ground motion records that several commands share.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "app/unit_options.hpp"
 #include "records/ground_record.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace moraine {
 

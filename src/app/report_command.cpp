@@ -1,7 +1,8 @@
 #include "app/report_command.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 
 #include "app/commands.hpp"

@@ -1,10 +1,13 @@
 // moraine report: the page of one or several runs.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace moraine {
 

@@ -1,5 +1,5 @@
 // moraine resume: goes on with a run from its newest whole checkpoint.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <omp.h>
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 #include "app/commands.hpp"
 #include "app/run_loop.hpp"
 #include "base/input_error.hpp"
-#include "base/simd.hpp"
+#include "base/simd_width.hpp"
 #include "output/checkpoint/checkpoints.hpp"
 #include "output/checkpoint/run_state.hpp"
 #include "output/run_folder.hpp"

@@ -1,5 +1,5 @@
 // moraine run: one case from start to end.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <omp.h>
 #include <unistd.h>
 

@@ -1,6 +1,6 @@
 #include "app/run_keepers.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <system_error>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "app/run_loop.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <csignal>
 #include <cstdint>

@@ -1,8 +1,8 @@
 #include "app/run_words.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include "base/simd.hpp"
+#include "base/simd_width.hpp"
 #include "output/printable.hpp"
 #include "output/timing_table.hpp"
 

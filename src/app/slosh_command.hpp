@@ -1,11 +1,14 @@
 // moraine slosh: linear theory of the liquid in a rigid tank.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
 #include "app/record_options.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace moraine {
 

@@ -1,5 +1,5 @@
 // moraine surface: the free surface of the frames of a run.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "app/commands.hpp"
 #include "output/free_surface/surfaces_of_run.hpp"

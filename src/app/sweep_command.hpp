@@ -1,9 +1,12 @@
 // moraine sweep: a case with other values, many times.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace moraine {
 

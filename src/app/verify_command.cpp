@@ -1,5 +1,5 @@
 // moraine verify: the verification suite.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <omp.h>
 #include <unistd.h>
 

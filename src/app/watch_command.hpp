@@ -1,9 +1,12 @@
 // moraine watch: looks on while a run goes on.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace moraine {
 

@@ -1,6 +1,6 @@
 #include "bench/bench_report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <iterator>

@@ -1,6 +1,6 @@
 #include "bench/workload.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +86,7 @@ Case charge_on_soil_3d() {
   return charge_on_soil(1e-6 * thousandths_of_a_millimetre);
 }
 
-constexpr Workload list[] = {
+Workload const list[] = {
     {.name = "dam-break-3d",
      .description = "dam break in 3D, 128 310 particles, mixed precision: the headline number",
      .make = dam_break_3d<8500>,
@@ -144,7 +144,14 @@ constexpr Workload list[] = {
 
 std::span<Workload const> workloads() { return list; }
 
+Workload workload_of_file(std::string_view name) {
+  return {.name = name, .description = "of a case file", .make = [name] {
+            return read_case(std::string(name));
+          }};
+}
+
 std::optional<Workload> find_workload(std::string_view name) {
+  if (name.ends_with(".toml")) return workload_of_file(name);
   auto const found = std::find_if(std::begin(list), std::end(list),
                                   [&](Workload const& workload) { return workload.name == name; });
   return found == std::end(list) ? std::nullopt : std::optional(*found);

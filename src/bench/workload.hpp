@@ -1,6 +1,7 @@
-// What `moraine bench` runs: cases of known size, held in the program.
+// What `moraine bench` runs: cases of known size, held in the program, or those of a file.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,7 +16,7 @@ namespace moraine {
 struct Workload {
   std::string_view name;
   std::string_view description;
-  Case (*make)();
+  std::function<Case()> make;
   int warm_up = 100;   // steps before the clock starts
   int steps = 500;     // timed steps; 0: until the end of the case
   bool usual = false;  // part of `moraine bench` without names
@@ -24,7 +25,10 @@ struct Workload {
 /// All workloads, the usual ones first.
 std::span<Workload const> workloads();
 
-/// The workload of this name, if there is one.
+/// The case file `name`, which stays where it is, as a workload.
+Workload workload_of_file(std::string_view name);
+
+/// The workload of this name, if there is one; names that end with .toml are those of case files.
 std::optional<Workload> find_workload(std::string_view name);
 
 /// Water of 0.4 m x 0.67 m x 0.3 m (0.4 m x 0.3 m in 2D) at one end of a tank of 1.6 m, free from
@@ -41,9 +45,9 @@ Case tnt_in_water();
 /// particles, one material with a strength, 500 microseconds.
 Case charge_on_soil_2d();
 
-/// A quarter of 12 x 12 x 6 cm of TNT on half a metre of loose sand in 3D, burnt at once: constant h
-/// of 1.3 spacings, about 70 neighbours, all of the sand with a strength. spacing in m, 1 cm makes 126
-/// 000 particles.
+/// A quarter of 12 x 12 x 6 cm of TNT on half a metre of loose sand in 3D, burnt at once: constant
+/// h of 1.3 spacings, about 70 neighbours, all of the sand with a strength. spacing in m, 1 cm
+/// makes 126 000 particles.
 Case charge_on_soil(double spacing);
 
 /// A periodic block of water at rest, `particles` long in every direction, spacing 1 m; kernel and

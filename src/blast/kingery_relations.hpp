@@ -1,7 +1,7 @@
 // What Kingery and Bulmash say of a burst, and what their front does in an ideal gas.
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 

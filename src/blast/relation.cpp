@@ -1,6 +1,6 @@
 #include "blast/relation.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

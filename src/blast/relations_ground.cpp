@@ -1,5 +1,5 @@
 // Charges in contact, buried charges and displacement of the ground.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 

@@ -1,5 +1,5 @@
 // Reflection of a front at a rigid wall.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cmath>

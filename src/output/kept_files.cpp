@@ -1,6 +1,6 @@
 #include "output/kept_files.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <fstream>

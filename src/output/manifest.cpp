@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "base/simd.hpp"
+#include "base/simd_width.hpp"
 #include "output/atomic_file.hpp"
 #include "output/sha256.hpp"
 

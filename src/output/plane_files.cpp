@@ -1,6 +1,6 @@
 #include "output/plane_files.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <charconv>
 #include <regex>

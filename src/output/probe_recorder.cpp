@@ -1,6 +1,6 @@
 #include "output/probe_recorder.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

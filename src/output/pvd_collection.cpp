@@ -1,6 +1,6 @@
 #include "output/pvd_collection.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <pugixml.hpp>
 #include <stdexcept>

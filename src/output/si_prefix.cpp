@@ -1,6 +1,6 @@
 #include "output/si_prefix.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

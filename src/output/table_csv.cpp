@@ -1,6 +1,6 @@
 #include "output/table_csv.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cerrno>
 #include <charconv>

@@ -1,6 +1,6 @@
 #include "output/vti_writer.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <bit>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "output/vtp_reader.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdint>
 #include <cstring>

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "probes/selection.hpp"
-#include "smoothing/kernels.hpp"
+#include "smoothing/kernel_names.hpp"
 
 namespace moraine {
 namespace {

@@ -6,7 +6,7 @@
 #include "base/vec3.hpp"
 #include "probes/kernel_shape.hpp"
 #include "search/search.hpp"
-#include "smoothing/kernels.hpp"
+#include "smoothing/kernel_names.hpp"
 #include "store/particle_store.hpp"
 
 namespace moraine {

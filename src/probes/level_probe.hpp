@@ -3,7 +3,7 @@
 
 #include "base/vec3.hpp"
 #include "search/search.hpp"
-#include "smoothing/kernels.hpp"
+#include "smoothing/kernel_names.hpp"
 #include "store/particle_store.hpp"
 
 namespace moraine {

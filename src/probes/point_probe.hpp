@@ -4,7 +4,7 @@
 #include <array>
 
 #include "search/search.hpp"
-#include "smoothing/kernels.hpp"
+#include "smoothing/kernel_names.hpp"
 #include "store/particle_store.hpp"
 
 namespace moraine {

@@ -7,7 +7,7 @@
 #include "base/vec3.hpp"
 #include "probes/selection.hpp"
 #include "search/search.hpp"
-#include "smoothing/kernels.hpp"
+#include "smoothing/kernel_names.hpp"
 #include "store/particle_store.hpp"
 
 namespace moraine {

@@ -1,6 +1,6 @@
 // PEER strong motion files: four header lines, then numbers, as
 // https://ngawest2.berkeley.edu (PEER NGA database) hands them out.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>

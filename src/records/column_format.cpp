@@ -1,5 +1,5 @@
 // Records as plain text: two columns of time and acceleration, or accelerations alone.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

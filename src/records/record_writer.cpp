@@ -1,6 +1,6 @@
 #include "records/record_writer.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <iterator>
 

@@ -1,6 +1,6 @@
 #include "report/curves.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <functional>
 #include <map>

@@ -1,6 +1,6 @@
 #include "report/quality.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "report/run_files.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <exception>
 #include <fstream>

@@ -1,6 +1,6 @@
 #include "report/run_json.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "report/comparisons.hpp"
 #include "report/measures.hpp"

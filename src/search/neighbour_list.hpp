@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/parallel_for.hpp"
-#include "base/simd.hpp"
+#include "base/simd_width.hpp"
 #include "search/cell_grid.hpp"
 #include "search/record_slots.hpp"
 

@@ -1,6 +1,6 @@
 #include "setup/build_model.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,8 @@ struct Members {
 
 /// Stress and strain of a particle that goes on, where both runs have solids.
 void copy_solid(ParticleStore const& old, std::size_t from, ParticleStore& store, std::size_t to) {
-  for (Field const field : {Field::deviatoric_stress, Field::plastic_strain, Field::plastic_work})
+  for (Field const field :
+       {Field::deviatoric_stress, Field::plastic_strain, Field::plastic_work, Field::spalled})
     if (store.has(field) && old.has(field))
       for (int k = 0; k < components(info(field).rank, store.dimension()); ++k)
         store.component(field, k)[to] = old.component(field, k)[from];
@@ -262,6 +263,8 @@ Model build_model(Case const& c) {
     model.materials.push_back({material.name, material.eos});
     model.materials.back().dynamic_viscosity = material.dynamic_viscosity;
     model.materials.back().strength = strength_of(material.strength);
+    model.materials.back().spalls = material.tension == TensionEnd::spall;
+    if (model.materials.back().spalls) model.particles.use(Field::spalled);
     if (can_compact(material.eos)) model.particles.use(Field::distension);
     model.materials.back().penalty_group = material.penalty_group;
     if (material.burn.kind != BurnKind::programmed) continue;

@@ -57,6 +57,9 @@ struct InitialState {
   std::optional<double> lithostatic_load;   // Pa, on top of the weight of all that lies above
 };
 
+/// What becomes of a material at its least pressure: it stays there, or parts.
+enum class TensionEnd : std::uint8_t { floor, spall };
+
 /// A named material: its equation of state and reference state, how it burns, and its strength.
 struct MaterialSpec {
   std::string name;
@@ -64,6 +67,7 @@ struct MaterialSpec {
   BurnSpec burn{};
   double dynamic_viscosity = 0.0;  // Pa s
   StrengthSpec strength{};
+  TensionEnd tension = TensionEnd::floor;
   std::string penalty_group{};  // empty: that of its own name
 
   /// The penalty keeps materials of different groups apart.

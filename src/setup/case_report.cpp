@@ -1,6 +1,6 @@
 #include "setup/case_report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <chrono>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "setup/case_size.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "setup/case_warnings.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "setup/check_burn.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 #include "setup/check_motion.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "setup/check_reference.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "setup/check_walls.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

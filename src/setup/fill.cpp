@@ -1,6 +1,6 @@
 #include "setup/fill.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

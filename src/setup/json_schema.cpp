@@ -1,6 +1,6 @@
 #include "setup/json_schema.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
 #include <string_view>

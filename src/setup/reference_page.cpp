@@ -1,5 +1,5 @@
 // The reference page, written from the table of parameters and the shipped materials.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "setup/schema_table.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
 #include <string>

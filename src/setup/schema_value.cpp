@@ -1,6 +1,6 @@
 #include "setup/schema_value.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>

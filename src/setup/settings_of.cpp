@@ -1,6 +1,6 @@
 #include "setup/settings_of.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <span>
 #include <string_view>

@@ -1,6 +1,6 @@
 #include "setup/smoothing_warnings.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 
 #include "setup/parameter.hpp"
 #include "setup/region_lattice.hpp"
-#include "smoothing/kernels.hpp"
+#include "smoothing/kernel_names.hpp"
 
 namespace moraine {
 namespace {

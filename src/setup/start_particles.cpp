@@ -1,6 +1,6 @@
 #include "setup/start_particles.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 
 #include "setup/territory.hpp"
 #include "setup/used_case.hpp"
-#include "smoothing/kernels.hpp"
+#include "smoothing/kernel_names.hpp"
 
 namespace moraine {
 namespace {

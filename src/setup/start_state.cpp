@@ -1,6 +1,6 @@
 #include "setup/start_state.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace moraine {
 

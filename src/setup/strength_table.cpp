@@ -42,6 +42,15 @@ Entry<MaterialSpec> kind() {
 void add_strength_entries(std::vector<Entry<MaterialSpec>>& table) {
   using S = StrengthSpec;
   constexpr double right_angle = 1.5707963267948966;
+  table.push_back(member<MaterialSpec, &MaterialSpec::tension>(
+      {.section = Section::material,
+       .key = "tension",
+       .type = ValueType::choice,
+       .preset = static_cast<int>(TensionEnd::floor),
+       .names = {"floor", "spall"},
+       .meaning =
+           "what becomes of the material at least_pressure: the pressure stays there, or the "
+           "material parts and bears neither tension nor, in tension, shear any more"}));
   table.push_back(kind());
   table.push_back(constant<&S::shear_modulus>("strength.shear_modulus", Quantity::pressure,
                                               Limits::positive(), "none; all kinds need it",

@@ -1,6 +1,6 @@
 #include "setup/used_case.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string_view>
 #include <type_traits>

@@ -1,6 +1,6 @@
 #include "setup/value_reader.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

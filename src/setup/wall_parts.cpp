@@ -1,13 +1,13 @@
 #include "setup/wall_parts.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "setup/mirror_walls.hpp"
-#include "smoothing/kernels.hpp"
+#include "smoothing/kernel_names.hpp"
 #include "walls/clearance.hpp"
 
 namespace moraine {

@@ -1,6 +1,6 @@
 #include "sloshing/rigid_tank.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <numbers>

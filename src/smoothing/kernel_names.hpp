@@ -1,4 +1,4 @@
-// The closed list of smoothing kernels.
+// The closed lists of smoothing kernels, and of means of two smoothing lengths.
 #pragma once
 
 #include <array>
@@ -55,5 +55,8 @@ constexpr std::string_view kernel_name(KernelName kernel) { return info(kernel).
 /// support. A kernel whose own formula ends at another kappa is written in q = (kappa / 2) r / h
 /// there, so that a change of kernel keeps the support and with it the number of neighbours.
 inline constexpr double kernel_support = 2.0;
+
+/// The smoothing length of a pair; smoothing/pair_smoothing.hpp.
+enum class PairSmoothing : std::uint8_t { arithmetic, geometric, largest, smallest };
 
 }  // namespace moraine

@@ -1,14 +1,11 @@
 // The smoothing length of a pair of particles whose own ones differ.
 #pragma once
 
-#include <cstdint>
-
 #include "base/macros.hpp"
 #include "base/simd.hpp"
+#include "smoothing/kernel_names.hpp"
 
 namespace moraine {
-
-enum class PairSmoothing : std::uint8_t { arithmetic, geometric, largest, smallest };
 
 /// h_ij [m], the same seen from i and from j, so that pairs conserve momentum and energy.
 ///

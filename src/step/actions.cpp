@@ -1,5 +1,5 @@
 // What the actions of a step do to the state of the particles.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

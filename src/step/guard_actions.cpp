@@ -1,5 +1,5 @@
 // What the steps of a simulation have to do with its guards.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "smoothing/kernels.hpp"
+#include "smoothing/kernel_names.hpp"
 #include "step/bad_particles.hpp"
 
 namespace moraine {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "smoothing/kernels.hpp"
+#include "smoothing/kernel_names.hpp"
 #include "step/bad_particles.hpp"
 #include "step/booked_energy.hpp"
 #include "step/guard_findings.hpp"

@@ -1,5 +1,5 @@
 // Particles that leave the domain: counted, booked, removed.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

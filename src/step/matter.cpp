@@ -1,7 +1,9 @@
 // The matter of a step: pressure and sound speed of all particles.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/parallel_for.hpp"
 #include "step/bad_particles.hpp"
@@ -19,6 +21,17 @@ auto burning(Law const& law, ProgrammedBurn const& burn, ParticleStore& store, d
     burnt[i] = burn.fraction(burnt[i], rho, now - lit[i]);
     return burn.respond(law, rho, e, burnt[i]);
   };
+}
+
+/// Lets material part at its least pressure, for good: what has parted has no tension.
+template <class Law>
+void part(Law const& law, bool spalls, std::span<double> spalled, std::size_t i,
+          StateResponse& state) {
+  if constexpr (requires { law.least_pressure; }) {
+    if (!spalls) return;
+    if (state.pressure <= law.least_pressure) spalled[i] = 1.0;
+    if (spalled[i] > 0.0) state.pressure = std::max(state.pressure, 0.0);
+  }
 }
 
 /// Speed of the compression waves of a solid, sqrt(c^2 + 4 G / (3 rho)); a state without a sound
@@ -43,6 +56,7 @@ void Simulation::sort_by_material() {
 Vote Simulation::vote_of_expansion() const {
   if (!density_is_state()) return {};
   ParticleStore const& store = model_.particles;
+  if (store.range(Kind::fluid).size() == 0) return {};
   auto const density = store.scalar(Field::density);
   auto const rate = store.scalar(Field::density_rate);
   struct Fastest {
@@ -58,8 +72,7 @@ Vote Simulation::vote_of_expansion() const {
   Fastest const fastest =
       reduce_blocks(store.range(Kind::fluid).size(), Fastest{}, of_block,
                     [](Fastest a, Fastest b) { return b.share > a.share ? b : a; });
-  return {largest_expansion_of_step / fastest.share, expansion_limit,
-          store.id()[fastest.particle]};
+  return {largest_expansion_of_step / fastest.share, expansion_limit, store.id()[fastest.particle]};
 }
 
 void Simulation::evaluate_matter() {
@@ -74,36 +87,40 @@ void Simulation::evaluate_matter() {
   double const density_ahead = density_is_state() ? ahead : 0.0;
   double const now = time_ + vote_.time_step;  // of the predicted state
   double shear = 0.0;                          // 4/3 G of the material [Pa]
-  auto const pass = [&](auto&& respond, std::size_t count, auto&& index) {
+  bool spalls = false;
+  auto const spalled =
+      store.has(Field::spalled) ? store.scalar(Field::spalled) : std::span<double>();
+  auto const pass = [&](auto const& law, auto&& respond, std::size_t count, auto&& index) {
     for_each_block(count, loop_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         std::size_t const i = index(k);
-        StateResponse const state = respond(i, density[i] + density_ahead * density_rate[i],
-                                            energy[i] + ahead * energy_rate[i]);
-        pressure[i] = state.pressure;
         double const rho = density[i] + density_ahead * density_rate[i];
+        StateResponse state = respond(i, rho, energy[i] + ahead * energy_rate[i]);
+        part(law, spalls, spalled, i, state);
+        pressure[i] = state.pressure;
         sound_speed[i] = with_shear(state.sound_speed, shear / rho);
       }
     });
   };
-  auto const pass_material = [&](std::size_t m, auto&& respond) {
+  auto const pass_material = [&](std::size_t m, auto const& law, auto&& respond) {
     if (model_.materials.size() == 1)
-      pass(respond, store.range(Kind::fluid).size(), [](std::size_t k) { return k; });
+      pass(law, respond, store.range(Kind::fluid).size(), [](std::size_t k) { return k; });
     else
-      pass(respond, by_material_[m].size(), [&](std::size_t k) { return by_material_[m][k]; });
+      pass(law, respond, by_material_[m].size(), [&](std::size_t k) { return by_material_[m][k]; });
   };
   for (std::size_t m = 0; m < model_.materials.size(); ++m) {
     auto const& burn = model_.materials[m].burn;
     shear = 4.0 / 3.0 * shear_modulus(model_.materials[m].strength);
+    spalls = model_.materials[m].spalls;
     std::visit(
         [&](auto const& law) {
           if constexpr (is_products<std::decay_t<decltype(law)>>)
-            if (burn) return pass_material(m, burning(law, burn->law, store, now));
+            if (burn) return pass_material(m, law, burning(law, burn->law, store, now));
           if constexpr (is_compactable<std::decay_t<decltype(law)>>)
-            return pass_material(m, compacting(law, store));
+            return pass_material(m, law, compacting(law, store));
           else
             pass_material(
-                m, [&law](std::size_t, double rho, double e) { return law.respond(rho, e); });
+                m, law, [&law](std::size_t, double rho, double e) { return law.respond(rho, e); });
         },
         model_.materials[m].eos);
   }

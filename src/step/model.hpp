@@ -32,6 +32,9 @@ struct Material {
   double dynamic_viscosity = 0.0;  // Pa s
   /// The particles of a model with a solid use the fields of solid_fields.
   Strength strength{};
+  /// Once at the least pressure of its equation of state it parts: from then on it bears neither
+  /// tension nor, in tension, shear. Particles of a model with such a material use spalled.
+  bool spalls = false;
   std::string penalty_group{};  // empty: that of its own name
 
   /// The penalty keeps materials of different groups apart.

@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "smoothing/kernels.hpp"
-#include "smoothing/pair_smoothing.hpp"
+#include "smoothing/kernel_names.hpp"
 #include "terms/options/option_parameters.hpp"
 
 namespace moraine {

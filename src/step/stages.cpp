@@ -1,6 +1,6 @@
 #include "step/stages.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <sstream>

@@ -74,10 +74,14 @@ template <int D>
 void go_on(Model& model, std::vector<std::vector<std::uint32_t>> const& by_material, Field to,
            double dt) {
   SolidFields<D> const fields(model.particles, to);
-  auto const pressure = model.particles.scalar(Field::pressure);
+  ParticleStore const& store = model.particles;
+  auto const pressure = store.scalar(Field::pressure);
+  auto const spalled =
+      store.has(Field::spalled) ? store.scalar(Field::spalled) : std::span<double const>();
   for_each_solid(model, by_material, [&](auto const& law, std::size_t i) {
-    StressState const after =
+    StressState after =
         advance_stress(law, fields.state(i), fields.deformation_of(i, dt), pressure[i]);
+    if (!spalled.empty() && spalled[i] > 0.0 && pressure[i] <= 0.0) after = {};
     fields.set_stress(i, after);
     if (to == Field::deviatoric_stress) fields.book(i, after);
   });

@@ -29,8 +29,7 @@ inline constexpr std::string_view end_of_run = "end of run";
 inline constexpr std::array vote_reasons{
     sound_limit,     acceleration_limit, motion_limit,  wall_motion_limit, wall_acceleration_limit,
     repulsion_limit, burn_limit,         damping_limit, viscous_limit,     penalty_limit,
-    expansion_limit,
-    fixed_limit,     largest_limit,      end_of_run};
+    expansion_limit, fixed_limit,        largest_limit, end_of_run};
 
 /// The reason with these words, as text that lives as long as the program: votes that come from a
 /// checkpoint. "nothing" for words that are no reason.
@@ -43,8 +42,8 @@ inline std::string_view kept_reason(std::string_view words) {
 // Share of the smoothing length that a voted step may carry a particle or a wall.
 inline constexpr double longest_motion = 0.5;
 
-// Share of its density that a particle may lose in a step: gas that bursts into a void would come out
-// with less than none.
+// Share of its density that a particle may lose in a step: gas that bursts into a void would come
+// out with less than none.
 inline constexpr double largest_expansion_of_step = 0.5;
 
 /// The longest step that somebody allows, why, and which particle asks for it.

@@ -1,5 +1,5 @@
 // Walls that move as prescribed.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

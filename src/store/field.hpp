@@ -30,6 +30,7 @@ enum class Field : std::uint8_t {
   plastic_strain,
   plastic_work,
   rest_density,
+  spalled,
   distension,
 };
 
@@ -103,6 +104,8 @@ inline constexpr std::array field_table{
               "work of the stress on plastic strain, per mass; part of the internal energy"},
     FieldInfo{Field::rest_density, "rest_density", "kg/m^3", Rank::scalar, true, false, true,
               "density that absorbing layers let the particle come back to"},
+    FieldInfo{Field::spalled, "spalled", "", Rank::scalar, true, false, true,
+              "1 where the material has parted in tension and bears none any more, else 0"},
     FieldInfo{Field::distension, "distension", "", Rank::scalar, true, false, true,
               "least density of the solid over that of the whole that compaction has left; 1 "
               "elsewhere"},

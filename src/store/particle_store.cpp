@@ -1,6 +1,6 @@
 #include "store/particle_store.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstring>

@@ -1,6 +1,6 @@
 #include "sweep/case_key.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <span>

@@ -1,6 +1,6 @@
 #include "sweep/case_template.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <fstream>
 #include <iterator>

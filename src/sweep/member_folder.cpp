@@ -1,6 +1,6 @@
 #include "sweep/member_folder.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <fstream>
 #include <iterator>

@@ -1,6 +1,6 @@
 #include "sweep/read_axis.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "sweep/read_sweep.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cerrno>
 #include <cstring>

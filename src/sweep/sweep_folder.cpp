@@ -1,6 +1,6 @@
 #include "sweep/sweep_folder.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <fstream>

@@ -1,6 +1,6 @@
 #include "sweep/sweep_plots.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>

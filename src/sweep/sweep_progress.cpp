@@ -1,6 +1,6 @@
 #include "sweep/sweep_progress.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <numeric>

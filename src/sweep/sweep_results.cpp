@@ -1,6 +1,6 @@
 #include "sweep/sweep_results.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "search/search.hpp"
-#include "smoothing/kernels.hpp"
+#include "smoothing/kernel_names.hpp"
 #include "store/particle_store.hpp"
 #include "terms/sweep_parameters.hpp"
 #include "walls/wall_data.hpp"

@@ -3,8 +3,7 @@
 #include <array>
 
 #include "smoothing/kernel_names.hpp"
-#include "smoothing/pair_smoothing.hpp"
-#include "terms/pair_fields.hpp"
+#include "terms/record_layout.hpp"
 
 namespace moraine {
 

@@ -1,6 +1,6 @@
 #include "verify/l1_errors.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

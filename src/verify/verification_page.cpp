@@ -1,6 +1,6 @@
 #include "verify/verification_page.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -115,6 +115,16 @@ TEST_F(Commands, BenchWritesJson) {
   EXPECT_LT(bytes, 1e5);
 }
 
+TEST_F(Commands, BenchTakesACaseFile) {
+  std::string const file = source_folder() + "/cases/sod/case.toml";
+  CommandResult const result = call({"bench", file, "--json", "--steps", "2", "--warm-up", "0"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  auto const json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json.at("workloads")[0].at("name"), file);
+  EXPECT_EQ(json.at("workloads")[0].at("steps"), 2);
+  EXPECT_EQ(call({"bench", "none.toml"}).code, 2);
+}
+
 TEST_F(Commands, BenchListsAndRefuses) {
   CommandResult const list = call({"bench", "--list"});
   EXPECT_EQ(list.code, 0);

@@ -1,6 +1,6 @@
 #include "output/blast/facts.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "output/blast/output_units.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "output/checkpoint/checkpoints.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <functional>

@@ -1,6 +1,6 @@
 #include "output/checkpoint/hdf5_archive.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <hdf5.h>
 
 #include <cerrno>

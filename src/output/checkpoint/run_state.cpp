@@ -1,10 +1,10 @@
 #include "output/checkpoint/run_state.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <stdexcept>
 
-#include "base/simd.hpp"
+#include "base/simd_width.hpp"
 #include "output/checkpoint/hdf5_archive.hpp"
 #include "output/checkpoint/start_reader.hpp"
 #include "output/kept_files.hpp"

@@ -1,6 +1,6 @@
 #include "output/checkpoint/seal.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <xxhash.h>
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "output/free_surface/contour_writer.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <bit>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "output/free_surface/share_grid.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

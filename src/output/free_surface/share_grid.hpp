@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/vec3.hpp"
-#include "smoothing/kernels.hpp"
+#include "smoothing/kernel_names.hpp"
 
 namespace moraine {
 

@@ -1,6 +1,6 @@
 #include "output/free_surface/surfaces_of_run.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>

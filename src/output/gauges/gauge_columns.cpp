@@ -1,6 +1,6 @@
 #include "output/gauges/gauge_columns.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // Gauges of kind point, line, front and level.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <utility>

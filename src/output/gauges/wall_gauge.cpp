@@ -1,5 +1,5 @@
 // Gauges of kind wall.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <limits>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "output/motion/measure_table.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <string_view>

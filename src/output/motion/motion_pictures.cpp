@@ -1,6 +1,6 @@
 #include "output/motion/motion_pictures.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

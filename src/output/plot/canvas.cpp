@@ -1,7 +1,7 @@
 #include "output/plot/canvas.hpp"
 
 #include <cairo-svg.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 #include "output/plot/plot_preview.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "output/sloshing/tank_table.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

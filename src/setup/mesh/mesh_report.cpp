@@ -1,6 +1,6 @@
 #include "setup/mesh/mesh_report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 #include "setup/mesh/stl_reader.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <bit>
 #include <charconv>

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <tuple>
 
+#include "smoothing/pair_smoothing.hpp"
 #include "terms/options/option_pair.hpp"
 #include "terms/sweep.hpp"
 

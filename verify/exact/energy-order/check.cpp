@@ -1,7 +1,7 @@
 // Drift of the total energy of a closed system against the time step.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cmath>

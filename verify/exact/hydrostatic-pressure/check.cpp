@@ -1,7 +1,7 @@
 // Water at rest in an open tank.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

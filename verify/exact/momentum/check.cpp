@@ -1,7 +1,7 @@
 // Momentum of closed, disordered systems.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <vector>

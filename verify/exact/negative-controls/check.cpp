@@ -1,7 +1,7 @@
 // What must go wrong: shocks without viscosity, expansion with a constant smoothing length.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <optional>

@@ -1,7 +1,7 @@
 // Noh's implosion in a plane, a cylinder and a sphere against its exact solution.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 // Small waves in a tank that is swayed to and fro.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

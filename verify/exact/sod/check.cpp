@@ -1,7 +1,7 @@
 // Sod's shock tube against the exact solution of the Riemann problem.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string>
 #include <vector>

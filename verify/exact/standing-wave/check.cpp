@@ -1,7 +1,7 @@
 // A small standing wave: its period and how long it lasts.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string>
 #include <variant>

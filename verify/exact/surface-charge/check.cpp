@@ -88,7 +88,8 @@ void add_slab(char const* name, double spacing, std::vector<CheckResult>& result
   double const p = exact.star_pressure();
   Simulation simulation(build_model(slab_on(soil, spacing)));
   ParticleStore const& store = simulation.particles();
-  constexpr double depth = 0.15;  // m, of the gauge; the plateau lasts until the release from behind
+  constexpr double depth =
+      0.15;  // m, of the gauge; the plateau lasts until the release from behind
   while (simulation.running() && front(store, 0.5 * p) < 0.3 + depth) simulation.advance();
   double const time = simulation.time();
   double const arrival = depth / exact.right_wave()->head;
@@ -97,10 +98,10 @@ void add_slab(char const* name, double spacing, std::vector<CheckResult>& result
   results.push_back(compare(fmt::format("surface-charge: plane slab on {}, arrival", name),
                             1e6 * time, 1e6 * arrival, 0.03e6 * arrival, "us",
                             "15 cm inside the ground; exact: Riemann problem"));
-  results.push_back(compare(fmt::format("surface-charge: plane slab on {}, stress", name),
-                            1e-9 * mean_stress(store, contact + 0.2 * shocked,
-                                               contact + 0.8 * shocked),
-                            1e-9 * p, 0.03e-9 * p, "GPa", "plateau behind the shock"));
+  results.push_back(
+      compare(fmt::format("surface-charge: plane slab on {}, stress", name),
+              1e-9 * mean_stress(store, contact + 0.2 * shocked, contact + 0.8 * shocked), 1e-9 * p,
+              0.03e-9 * p, "GPa", "plateau behind the shock"));
 }
 
 // ---- charges on the surface ----------------------------------------------------------------
@@ -120,13 +121,14 @@ double budget(Simulation const& simulation) {
 CraterReading crater_of(Simulation const& simulation) {
   Numerics const& numerics = simulation.model().numerics;
   ParticleStore const& store = simulation.particles();
-  ConnectedBody const body = connected_body(
-      store, simulation.search(), numerics.smoothing_length(), Selection{{0}, {}}.of(store));
-  BodyView const view{store,        simulation.search(), numerics.kernel, numerics.smoothing_length(),
-                      body.members, Upwards{1, 1.0}};
+  ConnectedBody const body = connected_body(store, simulation.search(), numerics.smoothing_length(),
+                                            Selection{{0}, {}}.of(store));
+  BodyView const view{store,           simulation.search(),
+                      numerics.kernel, numerics.smoothing_length(),
+                      body.members,    Upwards{1, 1.0}};
   Model const& model = simulation.model();
-  return probe_crater(view, {0.0, {}, 0.45, 16, model.domain_min, model.domain_max,
-                             numerics.spacing});
+  return probe_crater(view,
+                      {0.0, {}, 0.45, 16, model.domain_min, model.domain_max, numerics.spacing});
 }
 
 double pressure_at(Simulation const& simulation, double depth) {
@@ -188,9 +190,9 @@ int strangers(ParticleStore const& store) {
 
 struct ChargeRun {
   CraterReading crater{};
-  double energy = 0.0;     // error by the energy of the explosive
-  double arrival = 0.0;    // s, of half of the peak, 25 cm below
-  double peak = 0.0;       // Pa, there
+  double energy = 0.0;   // error by the energy of the explosive
+  double arrival = 0.0;  // s, of half of the peak, 25 cm below
+  double peak = 0.0;     // Pa, there
   double early_asymmetry = 0.0, asymmetry = 0.0;
   double least_plastic_work = 0.0;  // J/kg
   int strangers = 0;
@@ -212,8 +214,7 @@ ChargeRun run_charge(int cm, double spacing, Precision precision) {
   for (auto const& [time, pressure] : gauge)
     if (run.arrival == 0.0 && pressure > 0.5 * run.peak) run.arrival = time;
   Jwl const& tnt = std::get<Jwl>(simulation.model().materials[1].eos);
-  double const explosive =
-      cm * cm * 1e-4 * tnt.reference_density * tnt.reference_energy;  // J/m
+  double const explosive = cm * cm * 1e-4 * tnt.reference_density * tnt.reference_energy;  // J/m
   run.energy = std::fabs(budget(simulation) - start) / explosive;
   run.crater = crater_of(simulation);
   run.asymmetry = asymmetry(simulation, mirror);
@@ -270,8 +271,8 @@ std::vector<CheckResult> check_surface_charge(Effort effort) {
   if (effort == Effort::quick) return results;
   ChargeRun const four = run_charge(4, 0.01, Precision::mixed);
   ChargeRun const ten = run_charge(10, 0.01, Precision::mixed);
-  results.push_back(grows("diameter (4, 6 cm)", four.crater.apparent_diameter,
-                          six.crater.apparent_diameter));
+  results.push_back(
+      grows("diameter (4, 6 cm)", four.crater.apparent_diameter, six.crater.apparent_diameter));
   results.push_back(
       grows("diameter (6, 10 cm)", six.crater.apparent_diameter, ten.crater.apparent_diameter));
   results.push_back(grows("depth (4, 6 cm)", four.crater.depth, six.crater.depth));

@@ -1,7 +1,7 @@
 // Decaying vortices in a periodic square.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <string>
@@ -32,9 +32,9 @@ CheckResult order(VortexRun const& coarse, VortexRun const& fine, int across) {
   double const one = coarse.samples.front().excess;
   double const two = fine.samples.front().excess;
   return compare(
-      fmt::format("taylor-green: order, {} to {} across", across / 2, across),
+      fmt::format("taylor-green: order, gradient_correction, {} to {} across", across / 2, across),
       std::log2(std::fabs(one / two)), 1.5, 0.5, "-",
-      fmt::format("with gradient_correction, decay until 0.5 s off by {:.2g}, {:.2g}", one, two));
+      fmt::format("of the decay until 0.5 s, off by {:.2g}, {:.2g}", one, two));
 }
 
 CheckResult central(Case c, std::vector<double> const& times) {

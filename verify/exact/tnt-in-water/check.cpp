@@ -1,7 +1,7 @@
 // What must be true of a charge of TNT in water, whatever the resolution.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // smoothing lengths that vary in every way.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // burnt in an instant, against exact solutions.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

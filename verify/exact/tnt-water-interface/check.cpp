@@ -1,7 +1,7 @@
 // What TNT sends into water: a detonation that arrives, and products that have burnt in an instant.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,13 +21,13 @@
 namespace moraine {
 namespace {
 
-constexpr double thickness = 0.1;  // m, of the slab
+constexpr double slab_thickness = 0.1;  // m, of the slab
 // How the state at the interface is read, in smoothing lengths (README.md).
 constexpr double shock_ahead = 10.0;
-constexpr double near = 2.0, far = 5.0;
+constexpr double read_from = 2.0, read_to = 5.0;
 
 /// Halfway between the last particle of the slab and the first of the water [m].
-double interface(Simulation const& simulation) {
+double place_of_interface(Simulation const& simulation) {
   ParticleStore const& store = simulation.particles();
   auto const x = store.component(Field::position, 0);
   double slab = -std::numeric_limits<double>::infinity(), water = -slab;
@@ -46,8 +46,8 @@ struct Transmitted {
 
 /// A field at the interface: the mean of its means on both sides, beyond the particles next to it.
 double on_both_sides(Simulation const& simulation, Field field, double place, double h) {
-  return 0.5 * (mean_between(simulation, field, place - far * h, place - near * h) +
-                mean_between(simulation, field, place + near * h, place + far * h));
+  return 0.5 * (mean_between(simulation, field, place - read_to * h, place - read_from * h) +
+                mean_between(simulation, field, place + read_from * h, place + read_to * h));
 }
 
 /// When the shock in the water, where the pressure is half of what it begins with, is ten
@@ -60,8 +60,8 @@ Transmitted arrive(Case c, double spacing, double first_pressure) {
   while (simulation.running()) {
     simulation.advance();
     double const front = front_of_pressure(simulation, 0.5 * first_pressure);
-    if (front < thickness + shock_ahead * h) continue;  // not worth a look at the interface
-    double const place = interface(simulation);
+    if (front < slab_thickness + shock_ahead * h) continue;  // not worth a look at the interface
+    double const place = place_of_interface(simulation);
     if (front > place + shock_ahead * h)
       return {on_both_sides(simulation, Field::pressure, place, h),
               on_both_sides(simulation, Field::velocity, place, h)};
@@ -100,9 +100,9 @@ std::vector<CheckResult> instantaneous(Case c, RiemannProblem const& exact, doub
   Simulation simulation(build_model(c));
   while (simulation.running()) simulation.advance();
   double const t = simulation.time();
-  double const contact = thickness + exact.star_velocity() * t;
-  double const tail = thickness + exact.left_wave().tail * t;
-  double const shock = thickness + exact.right_wave()->head * t;
+  double const contact = slab_thickness + exact.star_velocity() * t;
+  double const tail = slab_thickness + exact.left_wave().tail * t;
+  double const shock = slab_thickness + exact.right_wave()->head * t;
   double const p = exact.star_pressure(), u = exact.star_velocity();
   std::string const at = fmt::format("{:g} mm, t = {:g} us", 1e3 * spacing, 1e6 * t);
   auto const middle = [&](Field field, double from, double to) {
@@ -114,7 +114,7 @@ std::vector<CheckResult> instantaneous(Case c, RiemannProblem const& exact, doub
           compare("tnt-water-interface: plateau, water",
                   1e-9 * middle(Field::pressure, contact, shock), 1e-9 * p, 0.03e-9 * p, "GPa", at),
           compare("tnt-water-interface: way of the interface / time",
-                  (interface(simulation) - thickness) / t, u, 0.03 * u, "m/s", at)};
+                  (place_of_interface(simulation) - slab_thickness) / t, u, 0.03 * u, "m/s", at)};
 }
 
 }  // namespace

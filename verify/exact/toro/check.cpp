@@ -1,7 +1,7 @@
 // Toro's five shock tubes against the exact solution of the Riemann problem.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // Viscous flow between two plates against its series solution.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

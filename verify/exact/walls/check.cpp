@@ -1,7 +1,7 @@
 // Walls that mirror the fluid, push it, or both: rest, reflection, leaks.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Shocks in water: a block that is thrown against a rigid wall.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

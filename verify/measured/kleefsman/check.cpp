@@ -1,7 +1,7 @@
 // A dam break on a box, against the measurements of MARIN.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

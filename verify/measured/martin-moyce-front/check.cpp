@@ -1,7 +1,7 @@
 // Front of a collapsing water column against measurements.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

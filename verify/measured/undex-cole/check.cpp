@@ -1,7 +1,7 @@
 // The shock of a sphere of TNT in water against the relation of Cole.
 #include "verify/check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cmath>
