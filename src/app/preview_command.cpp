@@ -74,7 +74,7 @@ void add_pressure(Model& model) {
             double& distension = store.scalar(Field::distension)[i];
             auto const loaded = law.respond(density, energy, distension);
             distension = loaded.distension;
-            return StateResponse{loaded.pressure, signed_root(loaded.sound_speed_squared)};
+            return StateResponse{loaded.pressure, signed_root(loaded.unloading_speed_squared)};
           }
           return law.respond(density, energy);
         },

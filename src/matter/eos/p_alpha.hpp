@@ -14,9 +14,10 @@ namespace moraine {
 
 /// What material answers that may be compacted while it is loaded.
 struct CompactionResponse {
-  double pressure;             // Pa
-  double sound_speed_squared;  // m^2/s^2; negative where the state has no sound speed
-  double distension;           // -, the least that has been reached, this state included
+  double pressure;                 // Pa
+  double sound_speed_squared;      // m^2/s^2, slope of the branch; negative where there is none
+  double distension;               // -, the least that has been reached, this state included
+  double unloading_speed_squared;  // m^2/s^2, of the elastic line: at least sound_speed_squared
 };
 
 /// Porous material by the distension alpha, density of its solid over that of the whole.
@@ -36,7 +37,9 @@ struct CompactionResponse {
 ///
 ///   c^2 = c_solid^2 / (1 + b' (rho_solid dp_solid/drho_solid - p_solid)),   b' = d(1/alpha)/dp
 ///
-/// of the branch that the state is on; exactly dp/drho + (p / rho^2) dp/de.
+/// of the branch that the state is on; exactly dp/drho + (p / rho^2) dp/de. Where pores are being
+/// crushed, what unloads runs at the speed of the elastic line that begins there, several times as
+/// fast: unloading_speed_squared.
 ///
 /// Sources: Herrmann, J. Appl. Phys. 40 (1969) 2490; the factor 1/alpha of Carroll and Holt, J.
 /// Appl. Phys. 43 (1972) 759. The elastic line is Herrmann's, d(alpha)/dp = (alpha^2 / K)
@@ -175,11 +178,14 @@ struct PAlpha {
 
   MORAINE_HD double elastic_slope(double h) const { return (1.0 / (h * h) - 1.0) / stiffness(); }
 
+  MORAINE_HD double elastic_slope_after(CrushCurve const& curve, double alpha) const {
+    double const pores = (alpha - 1.0) / (curve.distension - 1.0);
+    return elastic_slope(1.0 - (1.0 - reference_sound_speed / solid_sound_speed) * pores);
+  }
+
   MORAINE_HD Line elastic_line(CrushCurve const& curve, double least) const {
     double const alpha = least < curve.distension ? (least > 1.0 ? least : 1.0) : curve.distension;
-    double const pores = (alpha - 1.0) / (curve.distension - 1.0);
-    double const h = 1.0 - (1.0 - reference_sound_speed / solid_sound_speed) * pores;
-    return {curve.pressure_at(alpha), alpha, 1.0 / alpha, elastic_slope(h)};
+    return {curve.pressure_at(alpha), alpha, 1.0 / alpha, elastic_slope_after(curve, alpha)};
   }
 
   MORAINE_HD double solid_part_of_virgin(double p) const {
@@ -209,7 +215,8 @@ struct PAlpha {
     UsUp bounded = solid();
     bounded.least_pressure = least_pressure;
     SquaredResponse const response = bounded.respond_squared(rho, e);
-    return {response.pressure, response.sound_speed_squared, 1.0};
+    double const c2 = response.sound_speed_squared;
+    return {response.pressure, c2, 1.0, c2};
   }
 
   // `guess` is the pressure if the line were straight in the density.
@@ -219,7 +226,8 @@ struct PAlpha {
     if (guess <= least_pressure && at(least_pressure).value >= 0.0) return at_floor(line, e);
     double const p = increasing_root(at, least_pressure, line.pressure, guess, rounding());
     if (p <= least_pressure) return at_floor(line, e);
-    return {p, sound_speed_squared_at(line.at(p), line.slope, rho, e), line.distension};
+    double const c2 = sound_speed_squared_at(line.at(p), line.slope, rho, e);
+    return {p, c2, line.distension, c2};
   }
 
   MORAINE_HD CompactionResponse at_floor(Line const& line, double e) const {
@@ -227,7 +235,7 @@ struct PAlpha {
     double const met = b * solid().density_at_pressure(least_pressure / b, e);
     double const c2 = met > 0.0 ? sound_speed_squared_at(b, line.slope, met, e)
                                 : -solid_sound_speed * solid_sound_speed;
-    return {least_pressure, c2, line.distension};
+    return {least_pressure, c2, line.distension, c2};
   }
 
   MORAINE_HD CompactionResponse on_curve(CrushCurve const& curve, Line const& from, double rho,
@@ -241,8 +249,11 @@ struct PAlpha {
     double const p =
         increasing_root(at, from.pressure, full_compaction_pressure, guess, rounding());
     auto const [alpha, slope] = curve.at(p);
-    double const c2 = sound_speed_squared_at(1.0 / alpha, -slope / (alpha * alpha), rho, e);
-    return {p, c2, alpha < from.distension ? alpha : from.distension};
+    auto const c2 = [&, alpha = alpha](double by_pressure) {
+      return sound_speed_squared_at(1.0 / alpha, by_pressure, rho, e);
+    };
+    return {p, c2(-slope / (alpha * alpha)), alpha < from.distension ? alpha : from.distension,
+            c2(elastic_slope_after(curve, alpha))};
   }
 };
 

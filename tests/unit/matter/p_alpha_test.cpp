@@ -101,6 +101,14 @@ TEST(PAlpha, SoundSpeedIsTheSlopeOfTheBranch) {
           double const expected = p_rho + at.pressure / (rho * rho) * p_e;
           EXPECT_NEAR(at.sound_speed_squared, expected, 1e-5 * expected)
               << "rho " << rho << " e " << e << " least " << least;
+          // What unloads from here, by a difference downwards.
+          double const back = law.respond(rho - d_rho, e, at.distension).pressure;
+          double const unloading = (at.pressure - back) / d_rho + at.pressure / (rho * rho) * p_e;
+          if (back > law.least_pressure) {
+            EXPECT_NEAR(at.unloading_speed_squared, unloading, 0.02 * unloading)
+                << "rho " << rho << " e " << e << " least " << least;
+          }
+          EXPECT_GE(at.unloading_speed_squared, (1.0 - 1e-6) * at.sound_speed_squared);
         }
 }
 
