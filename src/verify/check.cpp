@@ -85,7 +85,7 @@ constexpr std::array all_checks{
     Check{"noh",
           "cold gas that implodes is stopped behind the exact shock, in the limit of fine spacing",
           check_noh},
-    Check{"sedov", "a plane blast comes to the exact radius; where others fail, it is seen",
+    Check{"sedov", "blasts from a plane, an axis and a point come to the exact radius",
           check_sedov},
     Check{"tnt-in-water",
           "an explosion keeps energy, momentum and symmetry, and its shock is possible",
