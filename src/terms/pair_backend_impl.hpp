@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "smoothing/pair_smoothing.hpp"
 #include "terms/gather_fluid.hpp"
 #include "terms/gather_walls.hpp"
 #include "terms/mirror_loads.hpp"

@@ -149,6 +149,8 @@ class Records {
     // A density of one keeps the pair's division finite.
     if constexpr (Layout::has(PairField::reference_density))
       last[Layout::offset(PairField::reference_density)] = Slot(1);
+    if constexpr (Layout::has(PairField::volume))
+      last[Layout::offset(PairField::mass)] = last[Layout::offset(PairField::volume)] = Slot(1);
     if constexpr (Layout::has(PairField::smoothing_length))
       last[Layout::offset(PairField::smoothing_length)] = static_cast<Slot>(smoothing_length_);
   }

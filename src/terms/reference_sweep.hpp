@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "smoothing/any_kernel.hpp"
+#include "smoothing/pair_smoothing.hpp"
 #include "terms/sweep.hpp"
 
 namespace moraine {

@@ -15,6 +15,7 @@
 #include "base/simd_memory.hpp"
 #include "search/neighbour_list.hpp"
 #include "smoothing/any_kernel.hpp"
+#include "smoothing/pair_smoothing.hpp"
 #include "terms/pair.hpp"
 #include "terms/pair_fields.hpp"
 #include "terms/sweep_parameters.hpp"

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "smoothing/pair_smoothing.hpp"
 #include "step/simulation_setup.hpp"
 #include "support/small_models.hpp"
 

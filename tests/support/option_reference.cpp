@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "smoothing/any_kernel.hpp"
+#include "smoothing/pair_smoothing.hpp"
 
 namespace moraine {
 namespace {
