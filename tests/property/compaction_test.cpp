@@ -9,6 +9,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "output/atomic_file.hpp"
 #include "output/checkpoint/hdf5_archive.hpp"
@@ -156,9 +157,15 @@ TEST(Compaction, StaysInACaseThatStartsFromIt) {
   Case const c = bed();
   Simulation first(build_model(c));
   while (first.time() < 60e-6) first.advance();
+  auto const values = [](ParticleStore const& store) {  // ids begin anew
+    std::vector<double> found;
+    for (auto const& [id, alpha] : distensions(store)) found.push_back(alpha);
+    std::sort(found.begin(), found.end());
+    return found;
+  };
   Model const model = build_model(started_from(first, c));
-  EXPECT_TRUE(distensions(model.particles) == distensions(first.particles()));
-  EXPECT_LT(least(distensions(model.particles)), 1.2);
+  EXPECT_EQ(values(model.particles), values(first.particles()));
+  EXPECT_LT(values(model.particles).front(), 1.2);
 }
 
 // Sand that had no pores in the other run begins undisturbed here.
