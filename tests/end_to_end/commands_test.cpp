@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "end_to_end/small_case.hpp"
+#include "support/places.hpp"
 #include "support/program.hpp"
 #include "unit/output/scratch_folder.hpp"
 #include "verify/check.hpp"

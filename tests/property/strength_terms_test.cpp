@@ -7,6 +7,7 @@
 #include <string>
 #include <tuple>
 
+#include "smoothing/any_kernel.hpp"
 #include "support/option_reference.hpp"
 #include "support/small_models.hpp"
 
