@@ -42,8 +42,8 @@ class Resume : public testing::TestWithParam<std::string> {
  protected:
   /// A shipped case, or "NAME+shaken" with its walls shaken hard, "NAME+quarter" with two planes,
   /// "NAME+rate" and "NAME+density" with smoothing lengths that vary, "NAME+coarse" with twice the
-  /// spacing, "NAME+options", "NAME+summed" and "NAME+penalty" with optional terms, "NAME+stressed" with
-  /// artificial stress.
+  /// spacing, "NAME+options", "NAME+summed" and "NAME+penalty" with optional terms, "NAME+stressed"
+  /// with artificial stress.
   Model model() const {
     auto const [name, variant] = parts();
     Case c = read_case(source_folder() + "/cases/" + name + "/case.toml");
