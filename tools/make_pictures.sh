@@ -27,4 +27,15 @@ picture "$out/dam-break-3d/report.html" $images/report-player-3d.png --at '#part
 
 moraine sweep cases/tnt-in-water/sweeps/smoothing-factors.toml --output "$out/smoothing-factors"
 picture "$out/smoothing-factors/sweep.html" $images/sweep.png --at '#sweep' --height 860
+# A frame of a shipped case, coloured by a field.
+frame_of() {
+  local case=$1 field=$2 frame=$3 image=$4
+  moraine run "cases/$case/case.toml" --output "$out/$case"
+  moraine plot "$out/$case" --field "$field"
+  cp "$out/$case/plots/${field}_particles_$frame.png" "$images/$image.png"
+}
+frame_of surface-charge-6cm pressure 000003 soil-surface
+frame_of crest-charge plastic_strain 000005 soil-slope
+frame_of bed-charge material 000004 soil-bed
+frame_of c4-in-soil velocity 000005 soil-c4
 say "pictures: $images"

@@ -1,5 +1,6 @@
 // The table of parameters outside materials, regions, walls and gauges; and the table as a whole.
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "setup/guard_table.hpp"
@@ -19,6 +20,18 @@ std::vector<std::string_view> kernel_names() {
   std::vector<std::string_view> names;
   for (KernelInfo const& kernel : kernel_table) names.push_back(kernel.name);
   return names;
+}
+
+// Told only where a side absorbs.
+template <auto Member>
+Entry<Case> absorbing_entry(Parameter parameter) {
+  Entry<Case> entry = member<Case, &Case::absorbing, Member>(std::move(parameter));
+  entry.get = [](Case const& c) {
+    bool any = false;
+    for (auto const& [low, high] : c.absorbing.sides) any = any || low || high;
+    return any ? binding::load(c.absorbing.*Member) : Value();
+  };
+  return entry;
 }
 
 void add_space(std::vector<Entry<Case>>& table) {
@@ -58,13 +71,13 @@ void add_space(std::vector<Entry<Case>>& table) {
        .preset = std::vector<int>{},
        .meaning = "sides of the domain that are symmetry planes; sums and forces on walls are told "
                   "for the whole that they stand for"}));
-  table.push_back(member<Case, &Case::absorbing, &AbsorbingSpec::sides>(
+  table.push_back(absorbing_entry<&AbsorbingSpec::sides>(
       {.key = "space.absorbing.sides",
        .type = ValueType::sides,
        .preset = std::vector<int>{},
        .meaning = "ends of the material, as it lies at the start, that absorb waves instead of "
                   "reflecting them"}));
-  table.push_back(member<Case, &Case::absorbing, &AbsorbingSpec::thickness>(
+  table.push_back(absorbing_entry<&AbsorbingSpec::thickness>(
       {.key = "space.absorbing.thickness",
        .quantity = Quantity::length,
        .presence = Presence::with_table,
@@ -73,7 +86,7 @@ void add_space(std::vector<Entry<Case>>& table) {
        .meaning =
            "thickness of the absorbing layers, inwards from the ends; a third of the longest "
            "wave length or more"}));
-  table.push_back(member<Case, &Case::absorbing, &AbsorbingSpec::reflection>(
+  table.push_back(absorbing_entry<&AbsorbingSpec::reflection>(
       {.key = "space.absorbing.reflection",
        .preset = 1e-3,
        .limits = {.min = 1e-12, .max = 0.5},

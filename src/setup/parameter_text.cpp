@@ -63,7 +63,8 @@ std::string example_real(Parameter const& parameter) {
   bool const plain = preset || quantity.usual[1].empty() || !allowed(0.0, parameter.limits);
   auto const unit =
       plain && parameter.quantity != Quantity::length ? quantity.unit : quantity.usual[1];
-  double const number = preset ? example_number(parameter) : 1.0;
+  double const one = allowed(1.0, parameter.limits) ? 1.0 : -1.0;
+  double const number = preset ? example_number(parameter) : one;
   return fmt::format("\"{} {}\"", number, preset ? quantity.unit : unit);
 }
 

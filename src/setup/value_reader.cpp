@@ -53,6 +53,7 @@ std::string broken_limit(double value, Parameter const& parameter) {
   std::string const most = with_unit(limits.max, parameter);
   if (std::isinf(limits.max))
     return fmt::format("must be {} {}", limits.min_excluded ? "greater than" : "at least", least);
+  if (std::isinf(limits.min)) return fmt::format("must be at most {}", most);
   if (limits.min_excluded) return fmt::format("must be greater than {}, at most {}", least, most);
   return fmt::format("must be between {} and {}", least, most);
 }

@@ -42,7 +42,8 @@ class Resume : public testing::TestWithParam<std::string> {
  protected:
   /// A shipped case, or "NAME+shaken" with its walls shaken hard, "NAME+quarter" with two planes,
   /// "NAME+rate" and "NAME+density" with smoothing lengths that vary, "NAME+coarse" with twice the
-  /// spacing, "NAME+options", "NAME+summed" and "NAME+penalty" with optional terms.
+  /// spacing, "NAME+options", "NAME+summed" and "NAME+penalty" with optional terms, "NAME+stressed"
+  /// with artificial stress.
   Model model() const {
     auto const [name, variant] = parts();
     Case c = read_case(source_folder() + "/cases/" + name + "/case.toml");
@@ -66,6 +67,7 @@ class Resume : public testing::TestWithParam<std::string> {
       return build_model(c);
     }
     Model model = build_model(c);
+    if (variant == "stressed") model.numerics.artificial_stress = 0.3;
     if (variant == "options") return with_options(std::move(model));
     if (variant == "summed") return with_summed_density(std::move(model));
     return model;
@@ -112,7 +114,9 @@ INSTANTIATE_TEST_SUITE_P(Cases, Resume,
                                          "sloshing-tank+shaken", "tnt-in-water+quarter", "tnt-slab",
                                          "tnt-in-water+rate", "sod+density", "dam-break-3d+options",
                                          "tnt-in-water+penalty", "dam-break-2d+summed",
-                                         "undex-cole+coarse", "kleefsman"),
+                                         "undex-cole+coarse", "kleefsman", "surface-charge-6cm",
+                                         "bed-charge", "crest-charge", "layered-ground+stressed",
+                                         "surface-charge-3d+coarse", "buried-charge-3d+coarse"),
                          [](auto const& test) {
                            std::string name = test.param;
                            for (char& letter : name)

@@ -169,7 +169,8 @@ std::vector<std::uint64_t> mirror_images(ParticleStore const& store) {
   return mirror;
 }
 
-/// Particles that are alone among those of the other material.
+/// Particles that are alone inside the other material: all neighbours within 1.5 of their own size
+/// belong to it, and lie around them. Gas at the wall of the crater has sand on one side only.
 int strangers(ParticleStore const& store) {
   std::size_t const count = store.range(Kind::fluid).size();
   auto const x = store.component(Field::position, 0), y = store.component(Field::position, 1);
@@ -178,12 +179,17 @@ int strangers(ParticleStore const& store) {
   for (std::size_t i = 0; i < count; ++i) {
     double const reach = 1.5 * std::sqrt(mass[i] / density[i]);
     int own = 0, other = 0;
+    double side_x = 0.0, side_y = 0.0;  // sum of unit vectors to the others
     for (std::size_t j = 0; j < count; ++j) {
       if (j == i || std::fabs(x[i] - x[j]) > reach || std::fabs(y[i] - y[j]) > reach) continue;
-      if (std::hypot(x[i] - x[j], y[i] - y[j]) > reach) continue;
+      double const distance = std::hypot(x[i] - x[j], y[i] - y[j]);
+      if (distance > reach) continue;
       (store.material()[i] == store.material()[j] ? own : other) += 1;
+      side_x += (x[j] - x[i]) / distance;
+      side_y += (y[j] - y[i]) / distance;
     }
-    found += own == 0 && other > 1 ? 1 : 0;
+    bool const surrounded = std::hypot(side_x, side_y) < 0.5 * other;
+    found += own == 0 && other > 1 && surrounded ? 1 : 0;
   }
   return found;
 }
