@@ -6,6 +6,7 @@
 # step. PROGRAM: build/moraine by default. SECONDS of the tank that falls over: 17 by default, in
 # which every method makes 100 000 steps or more. Takes some minutes on one core.
 set -euo pipefail
+shopt -s inherit_errexit
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 program=$(realpath "${1:-$build/moraine}") seconds=${2:-17}
@@ -122,7 +123,7 @@ END
   rm -rf leaks
   run leaks
   local most
-  most=$(values_of leaks/gauges.csv outside | sort -g | tail -n 1)
+  most=$(values_of leaks/gauges.csv "outside sum" | sort -g | tail -n 1)
   values_of leaks/sums.csv lost_particles particles | tail -n 1 |
     awk -v most="$most" -v steps="$(manifest_of leaks steps)" \
       '{ printf " %d %d %d", $1 + most, $1 + $2, steps }'
@@ -134,8 +135,12 @@ reference=''
 for variant in 'dummy free' 'dummy none' 'mirror free' 'mirror none' 'repulsive free' \
   'mirror_and_repulsive free' 'mirror_and_repulsive none'; do
   read -r method slip <<<"$variant"
-  read -r error cost speed lost all steps \
-    <<<"$(still_water "$method" "$slip")$(front "$method" "$slip")$(leaks "$method" "$slip")"
+  numbers=$(
+    still_water "$method" "$slip"
+    front "$method" "$slip"
+    leaks "$method" "$slip"
+  )
+  read -r error cost speed lost all steps <<<"$numbers"
   reference=${reference:-$cost}
   printf '| `%s` | %s | %s %% | %s %% | %s of %s | %s | %.2f |\n' "$method" "$slip" "$error" "$speed" \
     "$lost" "$all" "$steps" "$(awk -v a="$cost" -v b="$reference" 'BEGIN { print a / b }')"
