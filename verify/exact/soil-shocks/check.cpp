@@ -128,7 +128,7 @@ MaterialSpec aluminium() {
   return metal;
 }
 
-/// The precursor runs away from the shock that follows it.
+/// The precursor runs away from the shock that follows it; at 4 mm the two are not apart yet.
 void add_precursor(double spacing, std::vector<CheckResult>& results) {
   MaterialSpec const metal = aluminium();
   double const u = 200.0;
@@ -157,7 +157,7 @@ std::vector<CheckResult> check_soil_shocks(Effort effort) {
   double const spacing = effort == Effort::quick ? 4e-3 : 2e-3;
   for (char const* soil : {"sand_loose", "sand_dense", "sand_saturated"})
     for (double const u : {100.0, 300.0}) add_soil(soil, u, spacing, results);
-  add_precursor(spacing, results);
+  add_precursor(2e-3, results);
   return results;
 }
 
