@@ -1,6 +1,6 @@
 #include "bench/bench_report.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>

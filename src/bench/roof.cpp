@@ -1,6 +1,6 @@
 #include "bench/roof.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <omp.h>
 
 #include <algorithm>

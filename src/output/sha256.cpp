@@ -1,6 +1,6 @@
 #include "output/sha256.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <bit>

@@ -1,6 +1,6 @@
 #include "output/table_csv.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <cerrno>
 #include <charconv>

@@ -1,6 +1,6 @@
 #include "output/timing_table.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>

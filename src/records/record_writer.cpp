@@ -1,6 +1,6 @@
 #include "records/record_writer.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <iterator>
 

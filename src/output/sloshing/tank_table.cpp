@@ -1,6 +1,6 @@
 #include "output/sloshing/tank_table.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
