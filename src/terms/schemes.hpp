@@ -33,21 +33,25 @@ auto dissipative_wall_terms(SweepParameters const& p) {
       ArtificialViscosity<Real>{number<Real>(p.viscosity_alpha), number<Real>(p.viscosity_beta)}};
 }
 
+template <class Real>
+ContinuityDensity<Real> continuity(SweepParameters const& p) {
+  return {number<Real>(p.volume_continuity ? 1.0 : 0.0)};
+}
+
 /// Terms between fluid particles, built for a number type from the parameters of a run.
 template <class Real, int D>
 auto fluid_terms(SweepParameters const& p) {
-  return std::tuple_cat(
-      std::tuple{ContinuityDensity<Real>{number<Real>(p.volume_continuity ? 1.0 : 0.0)},
-                 PressureForce{p.mixed_momentum}},
-      dissipative_terms<Real, D>(p));
+  return std::tuple_cat(std::tuple{continuity<Real>(p), PressureForce{p.mixed_momentum}},
+                        dissipative_terms<Real, D>(p));
 }
 
 /// Terms between a fluid particle and a wall.
 template <class Real>
 auto wall_terms(SweepParameters const& p) {
-  return std::tuple_cat(std::tuple{ContinuityDensity<Real>{number<Real>(0)}, WallPressure{},
-                                   WallContact<Real>{number<Real>(1.0 / p.contact_gap)}},
-                        dissipative_wall_terms<Real>(p));
+  return std::tuple_cat(
+      std::tuple{continuity<Real>(p), WallPressure{.form = {.mixed = p.mixed_momentum}},
+                 WallContact<Real>{number<Real>(1.0 / p.contact_gap)}},
+      dissipative_wall_terms<Real>(p));
 }
 
 /// One weakly compressible liquid: mass, reference density and sound speed are the same for all

@@ -32,14 +32,14 @@ struct CorrectedGradient {
       Real const rho_ratio = density(i) / density(j);
       Real p_i = pressure_term(i);
       Real p_j = pressure_term(j);
-      if constexpr (wall) {
-        // As the pressure of a wall, which never pulls.
-        Real const pushes = select(p_i + p_j < number<Real>(0), number<Real>(0), number<Real>(1));
-        p_i = pushes * (p_i + p_j);
-        p_j = number<Real>(0);
-      } else if (mixed) {
+      if (mixed) {
         p_i = p_i * rho_ratio;
         p_j = p_j / rho_ratio;
+      }
+      if constexpr (wall) {
+        // As the pressure of a wall, which never pulls.
+        p_i = maximum(p_i + p_j, number<Real>(0));
+        p_j = number<Real>(0);
       }
       auto const own = [&i](int k) __attribute__((always_inline)) { return correction(i, k); };
       Real rate = number<Real>(0);
@@ -61,8 +61,7 @@ struct CorrectedGradient {
         work += push * v;
         rate += slipping[axis] * turned;
       }
-      bool const by_volume = volume && !wall;
-      sum.density_rate += weight * rate * (by_volume ? rho_ratio : number<Real>(1));
+      sum.density_rate += weight * rate * (volume ? rho_ratio : number<Real>(1));
       sum.energy_rate += number<Real>(wall ? 1.0 : 0.5) * weight * work;
     }
   }

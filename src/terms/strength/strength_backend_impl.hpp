@@ -106,8 +106,8 @@ class StrengthBackendImpl final : public StrengthBackend {
   void find_solids(ParticleStore const& store, Search const& search) {
     std::size_t const owned = around_.records.fluid.owned();
     auto const solid = [&](std::size_t i) { return solid_[store.material()[i]] != 0; };
-    std::size_t solids = 0;
-    for (std::size_t i = 0; i < owned; ++i) solids += solid(i) ? 1 : 0;
+    std::uint64_t solids = 0;  // of which particles, not how many
+    for (std::size_t i = 0; i < owned; ++i) solids += solid(i) ? store.id()[i] + 1 : 0;
     if (search.rebuilds() == rebuilds_seen_ && solids == solids_seen_ && !takes_part_.empty())
       return;
     rebuilds_seen_ = search.rebuilds();
@@ -150,7 +150,7 @@ class StrengthBackendImpl final : public StrengthBackend {
   double kernel_at_spacing_;         // W h^d
   std::vector<std::uint8_t> takes_part_;
   std::uint64_t rebuilds_seen_ = 0;
-  std::size_t solids_seen_ = 0;
+  std::uint64_t solids_seen_ = 0;
   OptionNeighbours<D, flavour, Scheme> around_;
 };
 

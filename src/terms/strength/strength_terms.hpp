@@ -93,8 +93,9 @@ struct VelocityGradient {
 /// rho_i, not with m_j / rho_j as the velocity gradient.
 /// A fluid has s = 0, and its pairs with solids carry the solid's stress alone. A wall shows the
 /// stress of the particle that looks at it: with free slip as in a mirror, R s R with R = 1 - 2 n
-/// n, which leaves no shear along it; without slip, and where it has no normal, the same. Its pairs
-/// give all of their work to the particle.
+/// n, which leaves no shear along it; without slip, and where it has no normal, the same. In the
+/// mixed form its mass drops out, as in its pressure. Its pairs give all of their work to the
+/// particle.
 template <class Real>
 struct StressDivergence {
   bool mixed;
@@ -108,6 +109,13 @@ struct StressDivergence {
     for (int axis = 0; axis < D; ++axis) of_i[axis] = row_times<D>(own, pair.x, axis);
     if constexpr (wall) {
       seen_in_wall(own, pair, j, of_j);
+      if (mixed) {
+        Real const ratio = mass(i) / (volume(i) * density(j));  // rho_i / rho_j
+        for (int axis = 0; axis < D; ++axis) {
+          of_i[axis] = of_i[axis] * ratio;
+          of_j[axis] = of_j[axis] * ratio;
+        }
+      }
     } else {
       auto const other = [&j](int k) __attribute__((always_inline)) { return stress_term(j, k); };
       for (int axis = 0; axis < D; ++axis) of_j[axis] = row_times<D>(other, pair.x, axis);

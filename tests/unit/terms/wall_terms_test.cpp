@@ -11,11 +11,15 @@ namespace {
 /// A particle that a term can read; only the fields of wall terms.
 struct Plain {
   using Number = double;
+  static constexpr bool has(PairField) { return true; }
   double pressure_term_value = 0.0;
   double sound_speed_value = 0.0;
+  double density_value = 1000.0;
 
   template <PairField field>
   double get(int = 0) const {
+    if (field == PairField::compression) return 0.0;
+    if (field == PairField::reference_density) return density_value;
     return field == PairField::pressure_term ? pressure_term_value : sound_speed_value;
   }
 };
@@ -46,7 +50,8 @@ TEST(WallContact, DoesNothingBeyondItsGap) {
 
 double pressure_stress(double fluid, double wall) {
   PairRates<double> rates{0.25, 0.0, 0.0};  // what other terms have added stays
-  WallPressure{}(Pair<double, 2>{}, Plain{fluid, 0.0}, Plain{wall, 0.0}, rates);
+  WallPressure{.form = {.mixed = false}}(Pair<double, 2>{}, Plain{fluid, 0.0}, Plain{wall, 0.0},
+                                         rates);
   return rates.stress - 0.25;
 }
 
@@ -55,6 +60,19 @@ TEST(WallPressure, PushesAndNeverPulls) {
   EXPECT_EQ(pressure_stress(-2.0, 3.0), 1.0);
   EXPECT_EQ(pressure_stress(2.0, -3.0), 0.0);
   EXPECT_EQ(pressure_stress(-2.0, -3.0), 0.0);
+}
+
+// (p_i + p_j) / (rho_i rho_j), of p_i = 200 and p_j at densities of 10 and 500.
+double mixed_stress(double p_j) {
+  PairRates<double> rates{};
+  WallPressure{.form = {.mixed = true}}(Pair<double, 2>{}, Plain{200.0 / 100.0, 0.0, 10.0},
+                                        Plain{p_j / 250000.0, 0.0, 500.0}, rates);
+  return rates.stress;
+}
+
+TEST(WallPressure, TakesNoMassOfTheWallInTheMixedForm) {
+  EXPECT_DOUBLE_EQ(mixed_stress(300.0), 500.0 / 5000.0);
+  EXPECT_EQ(mixed_stress(-300.0), 0.0);
 }
 
 }  // namespace
