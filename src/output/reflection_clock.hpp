@@ -11,11 +11,12 @@
 namespace moraine {
 
 /// Watches the pressure that walls of particles see. Where it has risen by `rise` [Pa] at place w,
-/// at time t, what comes back can be at place x no sooner than
+/// at time t, what comes back is expected at place x from
 ///
 ///   t + |x - w| / c,
 ///
-/// c the speed of sound at w then; the earliest over all places of walls counts. Walls behind the
+/// on, c the speed of sound at w then: sooner where the way back leads through faster material, and
+/// where it is shocked. The earliest over all places of walls counts. Walls behind the
 /// end of an absorbing layer do not count, nor do mirrors, free surfaces and interfaces.
 class ReflectionClock {
  public:

@@ -150,7 +150,7 @@ void FrameWriter::write(std::ostream& stream, double time) {
   blocks.push_back(field_block(Field::position));
   for (Field const field : written_fields) blocks.push_back(field_block(field));
   for (Field const field : {Field::burn_fraction, Field::distension, Field::smoothing_length,
-                            Field::plastic_strain, Field::plastic_work})
+                            Field::plastic_strain, Field::plastic_work, Field::spalled})
     if (kind_ == Kind::fluid && store_.has(field)) blocks.push_back(field_block(field));
   if (kind_ == Kind::fluid && store_.has(Field::deviatoric_stress)) {
     blocks.push_back(stress_block());

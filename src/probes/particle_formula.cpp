@@ -98,11 +98,14 @@ namespace {
 
 /// Stress s - p 1 of a solid, its shear part, and what yielding has done; of a fluid -p 1.
 void set_solid(ParticleStore const& store, std::size_t i, std::span<double, 9> values) {
-  Deviator const s = deviator_of(store, i);
   double const p = store.scalar(Field::pressure)[i];
+  if (!store.has(Field::deviatoric_stress)) {
+    for (std::size_t k = 0; k < 3; ++k) values[k] = -p;
+    return;
+  }
+  Deviator const s = deviator_of(store, i);
   for (std::size_t k = 0; k < 6; ++k) values[k] = s[k] - (k < 3 ? p : 0.0);
   values[6] = shear_norm(s);
-  if (!store.has(Field::plastic_strain)) return;
   values[7] = store.scalar(Field::plastic_strain)[i];
   values[8] = store.scalar(Field::plastic_work)[i];
 }

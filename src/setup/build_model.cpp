@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
+#include "setup/absorbing_layers.hpp"
 #include "setup/case_size.hpp"
 #include "setup/check_burn.hpp"
 #include "setup/check_strength.hpp"
@@ -35,13 +36,18 @@ struct Members {
   std::vector<std::vector<std::uint64_t>> walls;
 };
 
-/// Stress and strain of a particle that goes on, where both runs have solids.
-void copy_solid(ParticleStore const& old, std::size_t from, ParticleStore& store, std::size_t to) {
+/// Stress and strain of a particle that goes on as a solid, where both runs have solids, and
+/// whether it has parted, where it still can.
+void copy_solid(ParticleStore const& old, std::size_t from, Model& model, std::size_t to) {
+  ParticleStore& store = model.particles;
+  Material const& material = model.materials[store.material()[to]];
   for (Field const field :
-       {Field::deviatoric_stress, Field::plastic_strain, Field::plastic_work, Field::spalled})
-    if (store.has(field) && old.has(field))
-      for (int k = 0; k < components(info(field).rank, store.dimension()); ++k)
-        store.component(field, k)[to] = old.component(field, k)[from];
+       {Field::deviatoric_stress, Field::plastic_strain, Field::plastic_work, Field::spalled}) {
+    bool const wanted = field == Field::spalled ? material.spalls : is_solid(material.strength);
+    if (!wanted || !old.has(field)) continue;
+    for (int k = 0; k < components(info(field).rank, store.dimension()); ++k)
+      store.component(field, k)[to] = old.component(field, k)[from];
+  }
 }
 
 /// What a particle remembers that nothing has happened to.
@@ -66,7 +72,7 @@ void add_start_particles(Case const& c, Model& model) {
     }
     for (Field const field : {Field::density, Field::specific_energy, Field::mass})
       store.scalar(field)[i] = old.scalar(field)[from];
-    copy_solid(old, from, store, i);
+    copy_solid(old, from, model, i);
     set_memory(model, i);
     if (store.has(Field::distension) && old.has(Field::distension) &&
         start_knows_compaction(c, old.material()[from]))  // stays compacted
@@ -216,27 +222,6 @@ void check_periods(Case const& c) {
                                 reflects ? "a domain" : "a period", period, least),
                     "widen the domain or refine the spacing")});
   }
-}
-
-/// The ends are those of the particles, half a spacing beyond their places.
-void add_absorbing_layers(Case const& c, Model& model) {
-  AbsorbingSpec const& spec = c.absorbing;
-  ParticleStore& store = model.particles;
-  std::size_t const count = store.range(Kind::fluid).size();
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(c.dimension); ++axis)
-    for (std::size_t end = 0; end < 2; ++end) {
-      if (!spec.sides[axis][end] || count == 0) continue;
-      auto const x = store.component(Field::position, static_cast<int>(axis)).first(count);
-      double const half = 0.5 * c.numerics.spacing;
-      model.absorbing.ends[axis][end] = end == 0 ? *std::min_element(x.begin(), x.end()) - half
-                                                 : *std::max_element(x.begin(), x.end()) + half;
-      model.absorbing.thickness = spec.thickness;
-    }
-  model.absorbing.reflection = spec.reflection;
-  if (!model.absorbing.any()) return;
-  store.use(Field::rest_density);
-  auto const density = store.scalar(Field::density);
-  std::copy_n(density.begin(), count, store.scalar(Field::rest_density).begin());
 }
 
 }  // namespace

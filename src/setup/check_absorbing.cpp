@@ -9,6 +9,9 @@ namespace moraine {
 void check_absorbing(Case const& c, Source& source) {
   std::string const sides = "space.absorbing.sides";
   if (!source.has(sides) || !source.good(sides)) return;
+  if (!c.start.run.empty())
+    source.report_value(sides, "is given with start.run, which does not say where layers were",
+                        "let stages follow each other in one case instead");
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t end = 0; end < 2; ++end) {
       if (!c.absorbing.sides[axis][end]) continue;

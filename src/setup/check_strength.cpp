@@ -63,8 +63,9 @@ void check_strength(MaterialSpec const& material, std::string const& key, Source
     if (!constant.belongs[kind] && source.has(full))
       source.report_value(full, fmt::format("does not belong to strength.kind = \"{}\"", name));
   }
-  if (material.tension == TensionEnd::spall && !std::isfinite(floor_of(material.eos)))
-    source.report_value(key + "tension", "needs a least pressure at which the material parts",
+  double const floor = floor_of(material.eos);
+  if (material.tension == TensionEnd::spall && !(std::isfinite(floor) && floor < 0.0))
+    source.report_value(key + "tension", "needs a least pressure below zero, where it parts",
                         "give least_pressure, of eos mie_grueneisen, us_up, linear or p_alpha");
   if (spec.kind != StrengthKind::none && material.burn.kind == BurnKind::programmed)
     source.report_value(prefix + "kind", "is given for an explosive that burns",

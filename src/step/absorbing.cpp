@@ -1,6 +1,6 @@
 // What absorbing layers take away in a step.
+#include <array>
 #include <cmath>
-#include <vector>
 
 #include "base/parallel_for.hpp"
 #include "step/simulation.hpp"
@@ -9,14 +9,15 @@ namespace moraine {
 
 namespace {
 
-/// Speed of waves in the reference state of each material [m/s].
-std::vector<double> rest_speeds(std::vector<Material> const& materials) {
-  std::vector<double> speeds;
-  for (Material const& material : materials) {
+/// Speed of waves in the reference state of each material [m/s]; in place, without memory.
+std::array<double, no_material> rest_speeds(std::vector<Material> const& materials) {
+  std::array<double, no_material> speeds;
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    Material const& material = materials[m];
     double const rho = reference_density(material.eos);
     double const c = std::visit(
         [&](auto const& law) { return law.sound_speed(rho, law.reference_energy); }, material.eos);
-    speeds.push_back(std::sqrt(c * c + 4.0 / 3.0 * shear_modulus(material.strength) / rho));
+    speeds[m] = std::sqrt(c * c + 4.0 / 3.0 * shear_modulus(material.strength) / rho);
   }
   return speeds;
 }
@@ -25,12 +26,13 @@ std::vector<double> rest_speeds(std::vector<Material> const& materials) {
 
 /// Lets velocity, compression and stress fade over the step that has just been made, by
 /// exp(-a dt): after the other rates, so that no step is too long for it. Internal energy stays;
-/// what kinetic energy is taken is booked as damping.
+/// what kinetic energy is taken is booked as damping. Only what began in a layer fades: products
+/// and ejecta that come into its space later fly on.
 void Simulation::absorb() {
   AbsorbingLayers const& layers = model_.absorbing;
   if (!layers.any() || half_step_factor_ == 0.0) return;
   ParticleStore& store = model_.particles;
-  std::vector<double> const speeds = rest_speeds(model_.materials);
+  auto const speeds = rest_speeds(model_.materials);
   auto const rest = store.scalar(Field::rest_density);
   auto density = store.scalar(Field::density);
   auto const mass = store.scalar(Field::mass);
@@ -39,6 +41,7 @@ void Simulation::absorb() {
   auto const fade = [&](std::size_t begin, std::size_t end) {
     double taken = 0.0;
     for (std::size_t i = begin; i < end; ++i) {
+      if (rest[i] == 0.0) continue;  // began elsewhere, or is a gas that only came by
       Vec3 place{};
       for (int axis = 0; axis < model_.dimension; ++axis)
         place[static_cast<std::size_t>(axis)] = store.component(Field::position, axis)[i];

@@ -54,7 +54,7 @@ void Simulation::sort_by_material() {
 
 /// No particle loses more than a share of its density in a step, at the present rates.
 Vote Simulation::vote_of_expansion() const {
-  if (!density_is_state()) return {};
+  if (!density_is_state() || model_.time.fixed_step > 0.0) return {};
   ParticleStore const& store = model_.particles;
   if (store.range(Kind::fluid).size() == 0) return {};
   auto const density = store.scalar(Field::density);

@@ -48,6 +48,7 @@ void Simulation::transform(Transformation const& change) {
     bool const is_new = store.material()[i] != change.material;
     store.set_material(i, change.material);
     energy = change.specific_energy;
+    if (store.has(Field::rest_density)) store.scalar(Field::rest_density)[i] = 0.0;
     if (is_new && store.has(Field::spalled)) store.scalar(Field::spalled)[i] = 0.0;
     if (is_new && store.has(Field::deviatoric_stress))
       for (int k = 0; k < components(Rank::symmetric, store.dimension()); ++k)

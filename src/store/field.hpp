@@ -103,7 +103,7 @@ inline constexpr std::array field_table{
     FieldInfo{Field::plastic_work, "plastic_work", "J/kg", Rank::scalar, true, false, true,
               "work of the stress on plastic strain, per mass; part of the internal energy"},
     FieldInfo{Field::rest_density, "rest_density", "kg/m^3", Rank::scalar, true, false, true,
-              "density that absorbing layers let the particle come back to"},
+              "density that absorbing layers let the particle come back to; 0 outside of them"},
     FieldInfo{Field::spalled, "spalled", "", Rank::scalar, true, false, true,
               "1 where the material has parted in tension and bears none any more, else 0"},
     FieldInfo{Field::distension, "distension", "", Rank::scalar, true, false, true,

@@ -90,5 +90,34 @@ TEST(AbsorbingLayer, BooksWhatItTakes) {
   EXPECT_NEAR(balance(), start, 0.01 * kinetic);
 }
 
+// Products that burst into the space of a layer are left alone, and so is what began elsewhere.
+TEST(AbsorbingLayer, LeavesAloneWhatComesBy) {
+  Case c;
+  c.dimension = 2;
+  c.domain = {{0.0, 0.0, 0.0}, {1.0, 1.0, 0.0}};
+  c.numerics.spacing = 0.02;
+  c.numerics.continuity = ContinuityForm::volume;
+  c.time.end = 3e-4;
+  c.materials = {{"ground", WaterPolynomial{}}, {"tnt", Jwl{}}};
+  c.regions = {{"ground", "ground", Box{{0.0, 0.0, 0.0}, {1.0, 0.3, 0.0}}, {}},
+               {"charge", "tnt", Box{{0.3, 0.3, 0.0}, {0.4, 0.4, 0.0}}, {}}};
+  c.absorbing.sides[0][1] = true;
+  c.absorbing.thickness = 0.4;
+  Model model = build_model(c);
+  EXPECT_NEAR(*model.absorbing.ends[0][1], 1.0, 1e-12);
+  Simulation simulation(std::move(model));
+  while (simulation.running()) simulation.advance();
+  ParticleStore const& store = simulation.particles();
+  int came_by = 0;
+  for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i) {
+    if (store.material()[i] != 1) continue;
+    EXPECT_EQ(store.scalar(Field::rest_density)[i], 0.0);
+    if (store.component(Field::position, 0)[i] < 0.7) continue;
+    ++came_by;
+    EXPECT_GT(store.component(Field::velocity, 0)[i], 1000.0) << "in the middle of the layer";
+  }
+  EXPECT_GT(came_by, 0);
+}
+
 }  // namespace
 }  // namespace moraine

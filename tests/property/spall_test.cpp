@@ -38,6 +38,7 @@ Case torn_bar(TensionEnd tension) {
 struct Torn {
   double momentum = 0.0;
   int parted = 0;
+  double least_pressure = 0.0, most_shear = 0.0;  // of what has parted
 };
 
 Torn tear(TensionEnd tension) {
@@ -48,7 +49,13 @@ Torn tear(TensionEnd tension) {
   for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i) {
     if (store.component(Field::position, 0)[i] > 0.5)
       torn.momentum += store.scalar(Field::mass)[i] * store.component(Field::velocity, 0)[i];
-    if (store.has(Field::spalled)) torn.parted += store.scalar(Field::spalled)[i] > 0.0 ? 1 : 0;
+    if (!store.has(Field::spalled) || store.scalar(Field::spalled)[i] == 0.0) continue;
+    ++torn.parted;
+    double const p = store.scalar(Field::pressure)[i];
+    torn.least_pressure = std::min(torn.least_pressure, p);
+    if (p <= 0.0)
+      torn.most_shear =
+          std::max(torn.most_shear, std::fabs(store.component(Field::deviatoric_stress, 0)[i]));
   }
   return torn;
 }
@@ -61,6 +68,8 @@ TEST(Spall, WhatHasPartedPullsNoMore) {
   EXPECT_GT(spall.parted, 1);
   double const whole = 0.5 * 2500.0 * 20.0;
   EXPECT_GT(spall.momentum, floor.momentum + 0.02 * whole);
+  EXPECT_GE(spall.least_pressure, 0.0) << "of what has parted";
+  EXPECT_EQ(spall.most_shear, 0.0) << "of what has parted and is not pressed";
 }
 
 }  // namespace

@@ -174,7 +174,10 @@ INSTANTIATE_TEST_SUITE_P(, SymmetryPlanes,
                                          Setting{2, 40, 2, Precision::full, 1e-9, with_options},
                                          Setting{2, 40, 1, Precision::full, 1e-9,
                                                  with_summed_density},
-                                         Setting{3, 20, 3, Precision::full, 1e-9, with_options}));
+                                         Setting{3, 20, 3, Precision::full, 1e-9, with_options},
+                                         Setting{2, 40, 1, Precision::full, 1e-9, with_strength},
+                                         Setting{2, 40, 2, Precision::full, 1e-9, with_strength},
+                                         Setting{3, 20, 3, Precision::full, 1e-9, with_strength}));
 
 WallReading load_on_box(Case const& c, Simulation const& simulation) {
   Model const& model = simulation.model();

@@ -100,7 +100,9 @@ TEST(BadStrength, EachMistakeHasItsMessage) {
                      "0]] }\nstrength = { kind = \"elastic\", shear_modulus = 1e6 }"),
            "is given for an explosive that burns"));
   EXPECT_TRUE(says(text_with("eos = \"tait\"\ntension = \"spall\""),
-                   "needs a least pressure at which the material parts"));
+                   "needs a least pressure below zero, where it parts"));
+  EXPECT_TRUE(says(text_with("eos = \"us_up\"\ntension = \"spall\""),
+                   "needs a least pressure below zero, where it parts"));
 }
 
 TEST(BadStrength, AbsorbingLayersThatCannotBe) {
