@@ -30,6 +30,28 @@ TEST(Check, PassesWithinItsTolerance) {
   EXPECT_FALSE(at_most("a", -0.2, 0.1, "-", "").pass);
 }
 
+TEST(Check, BelowALimitIsNeverTooLow) {
+  EXPECT_TRUE(below("a", 0.25, 0.25, "-", "").pass);
+  EXPECT_TRUE(below("a", -7.0, 0.25, "-", "").pass);
+  EXPECT_FALSE(below("a", 0.26, 0.25, "-", "").pass);
+  EXPECT_FALSE(below("a", std::nan(""), 0.25, "-", "").pass);
+}
+
+TEST(Check, WhatIsExplainedIsKnownUpToItsRegressionBound) {
+  auto const miss = [](double measured) {
+    return explained(compare("a", measured, 1.0, 0.15, "-", ""), 0.27, "verify/a/README.md");
+  };
+  EXPECT_EQ(miss(0.9).verdict(), Verdict::pass) << "nothing to explain";
+  EXPECT_EQ(miss(0.75).verdict(), Verdict::known);
+  EXPECT_EQ(miss(1.25).verdict(), Verdict::known);
+  EXPECT_FALSE(miss(0.75).failed());
+  EXPECT_FALSE(miss(0.75).pass);
+  EXPECT_EQ(miss(0.72).verdict(), Verdict::fail) << "worse than it was";
+  EXPECT_EQ(miss(std::nan("")).verdict(), Verdict::fail);
+  EXPECT_EQ(explained(skip("a", "no data"), 0.27, "page").verdict(), Verdict::skip);
+  EXPECT_EQ(compare("a", 0.75, 1.0, 0.15, "-", "").verdict(), Verdict::fail);
+}
+
 TEST(Check, NamesAreUniqueAndFound) {
   std::set<std::string_view> names;
   for (Check const& check : checks()) {
@@ -100,7 +122,8 @@ TEST(Report, JsonHasOneObjectPerResult) {
   ASSERT_EQ(json.size(), 2u);
   for (auto const& object : json)
     for (char const* const key :
-         {"name", "measured", "reference", "tolerance", "unit", "pass", "skipped", "note"})
+         {"name", "measured", "reference", "tolerance", "unit", "pass", "skipped", "known",
+          "from_below", "worst", "explained_in", "note"})
       EXPECT_TRUE(object.contains(key)) << key;
   EXPECT_EQ(json[0]["name"], "a");
   EXPECT_EQ(json[0]["measured"], 1.5);
@@ -130,6 +153,31 @@ TEST(Report, TableAndSummaryNameWhatWasSkipped) {
   EXPECT_NE(results_table(results, Colour::terminal).find("\033[33mskip"), std::string::npos);
   EXPECT_EQ(summary(results), "1 of 1 results pass; skipped: absent");
   EXPECT_EQ(to_json(results)[1]["skipped"], true);
+}
+
+TEST(Report, TableAndSummaryNameWhatIsKnown) {
+  std::vector<CheckResult> const results{
+      compare("good", 1.0, 1.0, 0.1, "Pa", ""),
+      explained(compare("low", 0.7, 1.0, 0.1, "Pa", "peak"), 0.4, "verify/low/README.md")};
+  std::string const plain = results_table(results, Colour::none);
+  EXPECT_NE(plain.find("known low "), std::string::npos);
+  EXPECT_NE(plain.find("peak; explained in verify/low/README.md, regression bound +- 0.4\n"),
+            std::string::npos);
+  EXPECT_EQ(summary(results), "1 of 2 results pass; 1 known and explained: low");
+  auto const json = to_json(results);
+  EXPECT_EQ(json[0]["known"], false);
+  EXPECT_TRUE(json[0]["worst"].is_null());
+  EXPECT_EQ(json[1]["known"], true);
+  EXPECT_EQ(json[1]["pass"], false);
+  EXPECT_EQ(json[1]["worst"], 0.4);
+}
+
+TEST(Report, TableTellsALimitFromAReference) {
+  std::vector<CheckResult> const results{below("order", -0.3, 0.25, "-", "none")};
+  std::string const plain = results_table(results, Colour::none);
+  EXPECT_NE(plain.find("pass  order"), std::string::npos);
+  EXPECT_NE(plain.find("at most        0.25"), std::string::npos);
+  EXPECT_EQ(plain.find("+-"), std::string::npos);
 }
 
 TEST(ReferenceData, IsWhereTheEnvironmentSaysOrBesideTheFolder) {

@@ -22,5 +22,19 @@ TEST(VerificationPage, HoldsEveryResultAndCountsThem) {
   EXPECT_EQ(page.find("http"), std::string::npos) << "nothing is fetched";
 }
 
+TEST(VerificationPage, TellsWhatIsKnownAndWhatIsALimit) {
+  std::vector<CheckRun> const runs{
+      {"cole",
+       "the sphere",
+       {explained(compare("cole: peak", 0.75, 1.0, 0.125, "-", "low"), 0.3, "verify/cole"),
+        below("cole: order", -0.5, 0.25, "-", "none")},
+       1.0}};
+  std::string const page = verification_page(runs, Effort::full);
+  for (char const* const part :
+       {"1 pass", "0 fail", "1 known", "explained in verify/cole, regression bound", "&#8804; 0.25",
+        "title=\"200 % of the tolerance\"", "class=\"bar known\""})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+}
+
 }  // namespace
 }  // namespace moraine

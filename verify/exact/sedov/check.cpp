@@ -167,9 +167,9 @@ CheckResult volume_form(Control const& control) {
     return read(explode(setting, blast, spacing, charge_of_controls), exact, blast).error;
   };
   double const coarse = error(control.coarse), fine = error(control.fine);
-  return at_most(fmt::format("sedov, {}: order, volume form: none", control.name),
-                 std::max(0.0, convergence_order(coarse, fine, control.coarse / control.fine)),
-                 0.25, "-", fmt::format("L1 errors of density {:.3g}, {:.3g}", coarse, fine));
+  return below(fmt::format("sedov, {}: order, volume form: none", control.name),
+               convergence_order(coarse, fine, control.coarse / control.fine), 0.25, "-",
+               fmt::format("L1 errors of density {:.3g}, {:.3g}", coarse, fine));
 }
 
 }  // namespace

@@ -24,6 +24,9 @@ namespace {
 constexpr double charge_radius = 0.08;    // m
 constexpr MaterialId water = 0, tnt = 1;  // of the case
 constexpr std::array radii{10, 15, 20};   // of the charge, where the gauges are
+/// What the peaks with 8 spacings lack of Cole's is 0.25, 0.33 and 0.38: regression bounds.
+constexpr std::array worst_lacks{0.27, 0.35, 0.40};
+constexpr char const* page = "verify/measured/undex-cole/README.md";
 
 /// What a gauge saw.
 struct Shock {
@@ -98,10 +101,12 @@ std::vector<CheckResult> rows_at(std::size_t gauge, std::vector<Explosion> const
   double const before = runs[runs.size() - 2].shocks[gauge].peak;
   CheckResult const peak =
       fine_enough
-          ? compare(
-                name, finest, 1.0, 0.15, "-",
-                fmt::format("over {:.3g} MPa of Cole; by the root of the spacing to {:.3f}",
-                            1e-6 * runs.back().shocks[gauge].expected, extrapolated(runs, gauge)))
+          ? explained(
+                compare(name, finest, 1.0, 0.15, "-",
+                        fmt::format("over {:.3g} MPa of Cole; by the root of the spacing to {:.3f}",
+                                    1e-6 * runs.back().shocks[gauge].expected,
+                                    extrapolated(runs, gauge))),
+                worst_lacks[gauge], page)
           : skip(name, "not with --quick: it takes 8 spacings in a charge radius");
   return {peak, at_most("undex-cole: lack " + where, (1.0 - finest) / (1.0 - before), 0.95, "-",
                         fmt::format("of the peak by that with the spacing before; peaks {} with {} "
