@@ -131,8 +131,25 @@ std::vector<CheckResult> pulse_of_sound() {
                   "of its peak; a tenth of its width")};
 }
 
-/// Water that falls over in a closed tank: how many particles stand outside of it after many steps,
-/// and how much energy came from nowhere.
+/// Particles that stand outside of the tank or were lost.
+double outside(Simulation const& simulation, Box const& tank) {
+  ParticleStore const& store = simulation.particles();
+  auto count = static_cast<double>(simulation.lost().count);
+  for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i) {
+    bool inside = true;
+    for (int axis = 0; axis < 2; ++axis) {
+      auto const k = static_cast<std::size_t>(axis);
+      double const x = store.component(Field::position, axis)[i];
+      inside = inside && x >= tank.min[k] && x <= tank.max[k];
+    }
+    if (!inside) count += 1.0;
+  }
+  return count;
+}
+
+/// Water that falls over in a closed tank: how much energy came from nowhere, and how many
+/// particles stand outside of it after many steps. Mirrors put every particle back in each step:
+/// only walls that push can leak.
 std::vector<CheckResult> collapse(Method const& method, Effort effort) {
   Case c = shipped_case("dam-break-2d");
   c.numerics.spacing = 0.1 * 0.05715;  // the column is ten particles wide
@@ -149,24 +166,17 @@ std::vector<CheckResult> collapse(Method const& method, Effort effort) {
     simulation.advance();
     if (step % 100 == 0) largest = std::max(largest, simulation.sums().kinetic_energy);
   }
-  ParticleStore const& store = simulation.particles();
-  double outside = static_cast<double>(simulation.lost().count);
-  Box const& box = c.walls[0].box;
-  for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i)
-    for (int axis = 0; axis < 2; ++axis) {
-      auto const k = static_cast<std::size_t>(axis);
-      double const x = store.component(Field::position, axis)[i];
-      if (x >= box.min[k] && x <= box.max[k]) continue;
-      outside += 1.0;
-      break;
-    }
   double const drift =
       simulation.sums().total_energy() + simulation.lost().energy - before.total_energy();
-  return {at_most(fmt::format("walls: leaks, {}", method.name), outside, 0.0, "-",
-                  fmt::format("particles of {} outside of the tank after {} steps",
-                              store.range(Kind::fluid).size(), steps)),
-          at_most(fmt::format("walls: energy, {}", method.name), drift / largest, 0.01, "-",
-                  "energy gained over the largest kinetic energy")};
+  std::vector<CheckResult> results{at_most(fmt::format("walls: energy, {}", method.name),
+                                           drift / largest, 0.01, "-",
+                                           "energy gained over the largest kinetic energy")};
+  if (method.method == WallMethod::repulsive)
+    results.push_back(at_most(
+        fmt::format("walls: leaks, {}", method.name), outside(simulation, c.walls[0].box), 0.0, "-",
+        fmt::format("particles of {} outside of the tank after {} steps",
+                    simulation.particles().range(Kind::fluid).size(), steps)));
+  return results;
 }
 
 }  // namespace
