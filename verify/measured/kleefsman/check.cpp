@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,26 +20,52 @@ namespace moraine {
 namespace {
 
 constexpr char const* measurements = "freesurface/test02_kleefsman_exp.csv";
-constexpr double fine = 0.05 / 3.0;   // m, the finer spacing
-constexpr double box_width = 0.403;   // m
-constexpr double box_height = 0.161;  // m
-constexpr double pulse_begin = 0.38;  // s, of the first pulse of the pressure
-constexpr double pulse_end = 1.0;     // s
-std::string const level = " level";   // column of a gauge of this kind
+constexpr char const* page = "verify/measured/kleefsman/README.md";
+constexpr double fine = 0.05 / 3.0;  // m, the finer spacing
+std::string const level = " level";  // column of a gauge of this kind
 
-/// What was measured, from the file above: when the pressure or the water first reaches a value,
-/// and the integral of the pressure over the first pulse.
+/// A face of the box. Along both sides of what is seen of them both faces are alike.
+struct Face {
+  char const* force;  // column of a gauge on it
+  double sign;        // of a force that presses
+  double from, to;    // s, of the pulse whose impulse is compared
+};
+constexpr double box_width = 0.403;   // m, along y
+constexpr double box_length = 0.161;  // m, and its height
+constexpr Face front{" force_x", 1.0, 0.38, 1.0};
+constexpr Face lid{" force_z", -1.0, 1.1, 2.5};
+
+/// What was measured, from the file above: when the water first reaches a height.
 struct Arrival {
   char const* gauge;
-  double value;  // Pa or m
+  double value;  // m
   double time;   // s
 };
-constexpr Arrival hit{"P1", 1000.0, 0.3934};
-constexpr Arrival water_there[] = {
-    {"H3", 0.05, 0.2497}, {"H2", 0.05, 0.4052}, {"H1 bed", 0.05, 0.9321}};
+constexpr Arrival water_there[] = {{"H3", 0.05, 0.2497}, {"H2", 0.05, 0.4052}};
+constexpr Arrival behind_box{"H1 bed", 0.05, 0.9321};
 constexpr Arrival second_wave{"H4", 0.15, 2.743};
-constexpr double second_wave_after = 2.0;    // s
-constexpr double measured_impulse = 2884.0;  // Pa s, of P1
+constexpr double second_wave_after = 2.0;  // s
+
+/// Regression bounds of what is not met: 0.047 s at H1, of which runs that differ in nothing but
+/// the time step have 0.03 s, and 2.87 cm at H4.
+constexpr double worst_behind_box = 0.08;  // s
+constexpr double worst_height = 3.2;       // cm
+/// 0.028 s at P6 and P8 on the lid, and 10.4 % of the impulse at P5 beside its edge.
+constexpr double worst_on_lid = 0.04;       // s
+constexpr double worst_beside_edge = 0.13;  // of the impulse
+
+/// What was measured, from the file: when the pressure first reaches 1 kPa, and its integral over
+/// the pulse of the face.
+struct PressureGauge {
+  char const* name;
+  double arrival;  // s
+  double impulse;  // Pa s
+};
+constexpr double pressure_of_arrival = 1000.0;  // Pa
+constexpr PressureGauge on_front[] = {
+    {"P1", 0.3934, 2884.0}, {"P2", 0.4103, 2508.0}, {"P3", 0.4235, 2353.0}, {"P4", 0.4328, 2016.0}};
+constexpr PressureGauge on_lid[] = {
+    {"P5", 1.4793, 1759.0}, {"P6", 1.4855, 1729.0}, {"P7", 1.4367, 1798.0}, {"P8", 1.4805, 1739.0}};
 
 struct DamBreak {
   double spacing = 0.0;  // m
@@ -69,16 +96,16 @@ double wall_spacing(double length, double spacing) {
   return (length - spacing) / (std::ceil(length / spacing - 0.5) - 1.0);
 }
 
-/// Force on a part of the side that is hit, by its area: the force has all that stops the water,
-/// the contact with the wall included, which the pressure of the gauge has not. A wall particle
-/// stands for spacing^2 in `wet_area`.
-Course load(DamBreak const& dam, std::string const& part) {
+/// Force on a part of a face, by its area: the force has all that stops the water, the contact with
+/// the wall included, which the pressure of the gauge has not. A wall particle stands for spacing^2
+/// in `wet_area`.
+Course load(DamBreak const& dam, std::string const& part, Face const& face) {
   auto const& wet = column(dam.readings, part + " wet_area");
   double const places = *std::max_element(wet.begin(), wet.end()) / std::pow(dam.spacing, 2);
   double const area =
-      places * wall_spacing(box_width, dam.spacing) * wall_spacing(box_height, dam.spacing);
-  std::vector<double> pressure = column(dam.readings, part + " force_x");
-  for (double& value : pressure) value /= area;
+      places * wall_spacing(box_width, dam.spacing) * wall_spacing(box_length, dam.spacing);
+  std::vector<double> pressure = column(dam.readings, part + face.force);
+  for (double& value : pressure) value *= face.sign / area;
   return Course(column(dam.readings, "time"), std::move(pressure));
 }
 
@@ -94,22 +121,46 @@ CheckResult row(std::string const& what, std::vector<DamBreak> const& dams, Numb
   return compare("kleefsman: " + what, number(dams.back()), reference, tolerance, unit, note);
 }
 
-std::vector<CheckResult> arrivals(std::vector<DamBreak> const& dams, double end) {
+CheckResult arrival(Arrival const& water, std::vector<DamBreak> const& dams) {
+  return row(
+      fmt::format("water at {}", water.gauge), dams,
+      [&](DamBreak const& dam) { return dam.course(water.gauge + level).arrival(water.value); },
+      water.time, 0.02, "s");
+}
+
+std::string hit_row(PressureGauge const& gauge) { return fmt::format("{} is hit", gauge.name); }
+std::string impulse_row(PressureGauge const& gauge) {
+  return fmt::format("impulse at {}", gauge.name);
+}
+
+/// When the water arrives at each gauge of a face, and with what impulse: two rows each.
+std::vector<CheckResult> pressures(std::span<PressureGauge const> gauges, Face const& face,
+                                   std::vector<DamBreak> const& dams) {
   std::vector<CheckResult> results;
-  for (Arrival const& water : water_there)
-    if (water.time < end)
-      results.push_back(row(
-          fmt::format("water at {}", water.gauge), dams,
-          [&](DamBreak const& dam) { return dam.course(water.gauge + level).arrival(water.value); },
-          water.time, 0.02, "s"));
+  for (PressureGauge const& gauge : gauges) {
+    results.push_back(row(
+        hit_row(gauge), dams,
+        [&](DamBreak const& dam) {
+          return load(dam, gauge.name, face).arrival(pressure_of_arrival);
+        },
+        gauge.arrival, 0.02, "s"));
+    results.push_back(row(
+        impulse_row(gauge), dams,
+        [&](DamBreak const& dam) {
+          return load(dam, gauge.name, face).integral(face.from, face.to);
+        },
+        gauge.impulse, 0.1 * gauge.impulse, "Pa s"));
+  }
   return results;
 }
 
-CheckResult box_is_hit(std::vector<DamBreak> const& dams) {
-  return row(
-      "the box is hit", dams,
-      [](DamBreak const& dam) { return load(dam, hit.gauge).arrival(hit.value); }, hit.time, 0.02,
-      "s");
+/// The rows of the lid that the page explains: all times, and the impulse beside the edge.
+std::vector<CheckResult> pressures_on_lid(std::vector<DamBreak> const& dams) {
+  std::vector<CheckResult> results = pressures(on_lid, lid, dams);
+  for (std::size_t k = 0; k < results.size(); k += 2)
+    results[k] = explained(results[k], worst_on_lid, page);
+  results[1] = explained(results[1], worst_beside_edge * on_lid[0].impulse, page);
+  return results;
 }
 
 /// The wave that has run back from the far wall and over the box, to the column's end of the tank.
@@ -117,13 +168,6 @@ CheckResult back_again(DamBreak const& dam) {
   double const time =
       dam.course(second_wave.gauge + level).arrival(second_wave.value, second_wave_after);
   return compare("kleefsman: second wave at H4", time, second_wave.time, 0.2, "s", at(dam));
-}
-
-CheckResult impulse(std::vector<DamBreak> const& dams) {
-  return row(
-      "impulse at P1", dams,
-      [](DamBreak const& dam) { return load(dam, "P1").integral(pulse_begin, pulse_end); },
-      measured_impulse, 0.1 * measured_impulse, "Pa s");
 }
 
 /// The height of the water against the file, where it is.
@@ -146,6 +190,22 @@ std::vector<CheckResult> conservation(DamBreak const& dam) {
                   "share of the particles that left the tank, " + at(dam))};
 }
 
+/// The rows that a short run at the coarse spacing has not.
+std::vector<CheckResult> skipped() {
+  std::vector<std::string> names{fmt::format("water at {}", behind_box.gauge), "second wave at H4",
+                                 "height at H4"};
+  for (auto const& gauges : {std::span(on_front), std::span(on_lid)})
+    for (PressureGauge const& gauge : gauges) {
+      names.push_back(hit_row(gauge));
+      names.push_back(impulse_row(gauge));
+    }
+  std::vector<CheckResult> results;
+  for (std::string const& name : names)
+    results.push_back(
+        skip(fmt::format("kleefsman: {}", name), "not with --quick: too coarse or too short"));
+  return results;
+}
+
 }  // namespace
 
 std::vector<CheckResult> check_kleefsman(Effort effort) {
@@ -158,19 +218,21 @@ std::vector<CheckResult> check_kleefsman(Effort effort) {
   if (effort == Effort::quick) {
     constexpr double end = 0.5;  // s
     std::vector<DamBreak> const dams{run(tank, coarse, end)};
-    add(arrivals(dams, end));
-    for (char const* const name :
-         {"the box is hit", "impulse at P1", "second wave at H4", "height at H4"})
-      add({skip(fmt::format("kleefsman: {}", name), "not with --quick: too coarse or too short")});
+    for (Arrival const& water : water_there) add({arrival(water, dams)});
+    add(skipped());
     add(conservation(dams.back()));
     return results;
   }
   constexpr double end = 1.02;  // s, with the finer spacing
-  std::vector<DamBreak> const dams{run(tank, coarse, tank.time.end), run(tank, fine, end)};
-  add(arrivals(dams, end));
-  add({box_is_hit(dams), impulse(dams), back_again(dams.front()),
-       height(dams.front(), "H4", "H4_x2638mm_m", 1.5)});
-  add(conservation(dams.front()));
+  std::vector<DamBreak> const whole{run(tank, coarse, tank.time.end)};
+  std::vector<DamBreak> const dams{whole.front(), run(tank, fine, end)};
+  for (Arrival const& water : water_there) add({arrival(water, dams)});
+  add({explained(arrival(behind_box, dams), worst_behind_box, page)});
+  add(pressures(on_front, front, dams));
+  add(pressures_on_lid(whole));
+  add({back_again(whole.front()),
+       explained(height(whole.front(), "H4", "H4_x2638mm_m", 1.5), worst_height, page)});
+  add(conservation(whole.front()));
   return results;
 }
 
