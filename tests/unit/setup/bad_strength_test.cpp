@@ -128,9 +128,8 @@ TEST(AbsorbingWarnings, LayersThatAreTooThickAreTold) {
   auto const told = [](std::string const& sides, std::string const& thickness,
                        std::string const& gauge) {
     Case const c =
-        parse_case(text_with("eos = \"linear\"",
-                             "absorbing = { sides = [" + sides + "], thickness = " +
-                                 thickness + " }") +
+        parse_case(text_with("eos = \"linear\"", "absorbing = { sides = [" + sides +
+                                                     "], thickness = " + thickness + " }") +
                        "[[gauge]]\nname = \"g\"\nposition = " + gauge + "\n",
                    "case.toml");
     std::vector<InputProblem> warnings;
@@ -139,7 +138,8 @@ TEST(AbsorbingWarnings, LayersThatAreTooThickAreTold) {
   };
   EXPECT_EQ(told("\"x-\"", "0.4", "[0.5, 0.5]"), "none");
   EXPECT_NE(told("\"x-\"", "0.4", "[0.3, 0.5]").find("readings mean nothing"), std::string::npos);
-  EXPECT_NE(told("\"x-\", \"x+\"", "3", "[0.5, 0.5]").find("makes layers of 100 % of soil"), std::string::npos);
+  EXPECT_NE(told("\"x-\", \"x+\"", "3", "[0.5, 0.5]").find("makes layers of 100 % of soil"),
+            std::string::npos);
 }
 
 // More tension than the cone has would be borne without shear.
