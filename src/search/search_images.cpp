@@ -1,6 +1,8 @@
 // Images at the sides of the domain, and particles that have passed a side.
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "base/parallel_for.hpp"
 #include "search/search.hpp"
@@ -9,6 +11,38 @@ namespace moraine {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Components of particle fields that change their sign where an axis is reflected: those with this
+/// axis an odd number of times among their own.
+class OddComponents {
+ public:
+  OddComponents(ParticleStore& store, std::size_t axis) {
+    for (FieldInfo const& field : field_table)
+      if (field.field != Field::position && store.has(field.field)) add(store, field, axis);
+  }
+
+  void reverse(std::size_t i) const {
+    for (std::size_t k = 0; k < count_; ++k) components_[k][i] *= -1.0;
+  }
+
+ private:
+  void add(ParticleStore& store, FieldInfo const& field, std::size_t axis) {
+    auto const d = static_cast<std::size_t>(store.dimension());
+    auto const take = [&](std::size_t component) {
+      components_[count_++] = store.component(field.field, static_cast<int>(component));
+    };
+    if (field.rank == Rank::vector) take(axis);
+    for (std::size_t other = 0; other < d; ++other) {
+      if (other == axis) continue;
+      if (field.rank == Rank::symmetric) take(d + axis + other - 1);  // base/symmetric.hpp
+      if (field.rank == Rank::matrix) take(axis * d + other);
+      if (field.rank == Rank::matrix) take(other * d + axis);
+    }
+  }
+
+  std::array<std::span<double>, 2 * field_count> components_{};
+  std::size_t count_ = 0;
+};
 
 }  // namespace
 
@@ -33,8 +67,8 @@ void Search::bring_back(ParticleStore& store, Kind kind) {
 void Search::swap_with_images(ParticleStore& store, std::size_t axis) {
   DomainSides const& sides = settings_.sides;
   auto position = store.component(Field::position, static_cast<int>(axis));
-  auto velocity = store.component(Field::velocity, static_cast<int>(axis));
-  auto acceleration = store.component(Field::acceleration, static_cast<int>(axis));
+  auto const velocity = store.component(Field::velocity, static_cast<int>(axis));
+  OddComponents const odd(store, axis);
   auto const mass = store.scalar(Field::mass);
   double const low = sides.reflects(axis, 0) ? sides.low[axis] : -infinity;
   double const high = sides.reflects(axis, 1) ? sides.low[axis] + sides.length[axis] : infinity;
@@ -45,8 +79,7 @@ void Search::swap_with_images(ParticleStore& store, std::size_t axis) {
       bool const below = position[i] < low;
       if (!below && !(position[i] > high)) continue;  // no number
       position[i] = sides.image_place(position[i], below ? -1 : +1, axis);
-      velocity[i] *= -1.0;
-      acceleration[i] *= -1.0;
+      odd.reverse(i);
       ++sum.count;
       if (sides.is_wall(axis, below ? 0 : 1)) sum.impulse[axis] += 2.0 * mass[i] * velocity[i];
     }

@@ -251,7 +251,7 @@ Model build_model(Case const& c) {
     model.materials.back().spalls = material.tension == TensionEnd::spall;
     if (model.materials.back().spalls) model.particles.use(Field::spalled);
     if (can_compact(material.eos)) model.particles.use(Field::distension);
-    model.materials.back().penalty_group = material.penalty_group;
+    model.materials.back().penalty_group = material.group();
     if (material.burn.kind != BurnKind::programmed) continue;
     model.materials.back().burn = burn_of(material, c.numerics.spacing);
     for (Field const field : {Field::burn_fraction, Field::lighting_time})

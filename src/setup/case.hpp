@@ -68,10 +68,13 @@ struct MaterialSpec {
   double dynamic_viscosity = 0.0;  // Pa s
   StrengthSpec strength{};
   TensionEnd tension = TensionEnd::floor;
-  std::string penalty_group{};  // empty: that of its own name
+  std::string penalty_group{};  // empty: solids are bonded, any other material is of its own
 
   /// The penalty keeps materials of different groups apart.
-  std::string const& group() const { return penalty_group.empty() ? name : penalty_group; }
+  std::string group() const {
+    if (!penalty_group.empty()) return penalty_group;
+    return strength.kind == StrengthKind::none ? name : "solids";
+  }
 };
 
 /// Layers of several materials from the top downwards, against gravity. There are as many

@@ -8,6 +8,7 @@
 #include <optional>
 #include <variant>
 
+#include "setup/check_absorbing.hpp"
 #include "setup/check_burn.hpp"
 #include "setup/check_options.hpp"
 #include "setup/check_strength.hpp"
@@ -31,6 +32,7 @@ class Warnings {
  public:
   Warnings(Case const& c, Simulation const& simulation)
       : case_(c),
+        model_(simulation.model()),
         store_(simulation.particles()),
         axes_(static_cast<std::size_t>(c.dimension)),
         fluid_(store_.range(Kind::fluid)) {}
@@ -49,6 +51,7 @@ class Warnings {
     add_option_warnings(case_, warnings_);
     add_burn_warnings(case_, warnings_);
     add_strength_warnings(case_, warnings_);
+    add_absorbing_warnings(case_, model_, warnings_);
     add_wall_warnings(case_, warnings_);
     add_start_warnings(case_, warnings_);
     return std::move(warnings_);
@@ -197,6 +200,7 @@ class Warnings {
   }
 
   Case const& case_;
+  Model const& model_;
   ParticleStore const& store_;
   std::size_t axes_;
   Range fluid_;

@@ -269,9 +269,10 @@ std::vector<Entry<MaterialSpec>> make_table() {
       {.section = Section::material,
        .key = "penalty_group",
        .type = ValueType::text,
-       .preset_note = "the name of the material: it repels every other one",
+       .preset_note = "the name of the material: it repels every other one; of materials with a "
+                      "strength \"solids\": they are bonded",
        .meaning = "materials of one group do not repel each other where numerics.penalty.strength "
-                  "is given; layers of soil that are bonded share one"}));
+                  "is given"}));
   add_burn_entries(table);
   add_strength_entries(table);
   return table;

@@ -35,10 +35,7 @@ struct Material {
   /// Once at the least pressure of its equation of state it parts: from then on it bears neither
   /// tension nor, in tension, shear. Particles of a model with such a material use spalled.
   bool spalls = false;
-  std::string penalty_group{};  // empty: that of its own name
-
-  /// The penalty keeps materials of different groups apart.
-  std::string const& group() const { return penalty_group.empty() ? name : penalty_group; }
+  std::string penalty_group{};  // the penalty keeps materials of different groups apart
 };
 
 /// Optional fields that particles have where any material has a strength.

@@ -110,7 +110,9 @@ std::vector<int> penalty_groups(Model const& model) {
   auto const& all = model.materials;
   std::vector<int> groups;
   for (Material const& material : all) {
-    auto const of_group = [&](Material const& m) { return m.group() == material.group(); };
+    auto const of_group = [&](Material const& m) {
+      return m.penalty_group == material.penalty_group;
+    };
     groups.push_back(
         static_cast<int>(std::find_if(all.begin(), all.end(), of_group) - all.begin()));
   }

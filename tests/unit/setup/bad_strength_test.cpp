@@ -8,6 +8,7 @@
 #include "base/input_error.hpp"
 #include "setup/build_model.hpp"
 #include "setup/case_report.hpp"
+#include "setup/check_absorbing.hpp"
 #include "setup/check_strength.hpp"
 #include "setup/read_case.hpp"
 #include "setup/used_case.hpp"
@@ -140,6 +141,25 @@ TEST(StrengthWarning, AConeTooSteepForPlaneStrainIsTold) {
       "case.toml:11:99: material.soil.strength.yield_slope: 0.5 lets plane strain bear any "
       "compression: three times it is 1.5, and from one on it never yields there; take kind = "
       "\"mohr_coulomb\"");
+}
+
+// Layers that swallow the case, and what lies in them.
+TEST(AbsorbingWarnings, LayersThatAreTooThickAreTold) {
+  auto const told = [](std::string const& sides, std::string const& thickness,
+                       std::string const& gauge) {
+    Case const c =
+        parse_case(text_with("eos = \"linear\"", "absorbing = { sides = [" + sides +
+                                                     "], thickness = " + thickness + " }") +
+                       "[[gauge]]\nname = \"g\"\nposition = " + gauge + "\n",
+                   "case.toml");
+    std::vector<InputProblem> warnings;
+    add_absorbing_warnings(c, build_model(c), warnings);
+    return warnings.empty() ? std::string("none") : std::string(InputErrors(warnings).what());
+  };
+  EXPECT_EQ(told("\"x-\"", "0.4", "[0.5, 0.5]"), "none");
+  EXPECT_NE(told("\"x-\"", "0.4", "[0.3, 0.5]").find("readings mean nothing"), std::string::npos);
+  EXPECT_NE(told("\"x-\", \"x+\"", "3", "[0.5, 0.5]").find("makes layers of 100 % of soil"),
+            std::string::npos);
 }
 
 // More tension than the cone has would be borne without shear.

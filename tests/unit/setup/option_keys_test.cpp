@@ -75,8 +75,8 @@ TEST(OptionKeys, PenaltyGroups) {
   };
   std::string const soil = "penalty_group = \"soil\"";
   Case const apart = parse_case(with("", soil), "case.toml");
-  EXPECT_EQ(build_model(apart).materials[0].group(), "sand") << "by default its own";
-  EXPECT_EQ(build_model(apart).materials[1].group(), "soil");
+  EXPECT_EQ(build_model(apart).materials[0].penalty_group, "sand") << "by default its own";
+  EXPECT_EQ(build_model(apart).materials[1].penalty_group, "soil");
   EXPECT_EQ(doubts(apart), "none");
   Case const again = parse_case(used_case(apart), "used.toml");
   EXPECT_EQ(again.materials[0].penalty_group, "");
@@ -84,6 +84,15 @@ TEST(OptionKeys, PenaltyGroups) {
   EXPECT_EQ(doubts(parse_case(with(soil, soil), "case.toml")),
             std::string("case.toml:4:29: numerics.penalty.strength: 1 keeps nothing apart: all "
                         "materials are of one penalty_group"));
+}
+
+TEST(OptionKeys, SolidsAreBonded) {
+  MaterialSpec sand{"sand", Linear{}}, rock{"rock", Linear{}}, water{"water", Linear{}};
+  sand.strength.kind = rock.strength.kind = StrengthKind::elastic;
+  EXPECT_EQ(sand.group(), rock.group());
+  EXPECT_NE(sand.group(), water.group());
+  rock.penalty_group = "boulder";
+  EXPECT_NE(sand.group(), rock.group());
 }
 
 TEST(OptionKeys, ACaseWithoutThemHasNoBackend) {
