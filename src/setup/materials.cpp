@@ -219,10 +219,10 @@ std::string describe(ShippedMaterial const& material) {
                         strength_names[static_cast<std::size_t>(material.spec.strength.kind)]);
   if (material.spec.tension == TensionEnd::spall) text += "tension = \"spall\"\n";
   for (auto const& value : material.values)
-    text += fmt::format("  {:<24}{:<18}{}\n", value.key, value.text, value.source);
+    text += fmt::format("  {:<26}{:<18}{}\n", value.key, value.text, value.source);
   if (!material.references.empty()) text += "compared with\n";
   for (auto const& reference : material.references)
-    text += fmt::format("  {:<24}{:<18}{}\n", reference.key, reference.text, reference.source);
+    text += fmt::format("  {:<26}{:<18}{}\n", reference.key, reference.text, reference.source);
   return text;
 }
 

@@ -138,7 +138,7 @@ TEST(StrengthWarning, AConeTooSteepForPlaneStrainIsTold) {
   EXPECT_EQ(doubts("0.333"), "none");
   EXPECT_EQ(
       doubts("0.5"),
-      "case.toml:11:99: material.soil.strength.yield_slope: 0.5 lets plane strain bear any "
+      "case.toml:12:94: material.soil.strength.yield_slope: 0.5 lets plane strain bear any "
       "compression: three times it is 1.5, and from one on it never yields there; take kind = "
       "\"mohr_coulomb\"");
 }

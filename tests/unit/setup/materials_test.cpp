@@ -28,12 +28,21 @@ double answer(ShippedMaterial const& material, std::string const& key) {
   return key == "detonation_velocity" ? found.speed : found.behind.pressure;
 }
 
+/// What the rounding of the density, 1e-16, makes of a pressure, with a margin of ten [Pa]: where
+/// the pressure is zero no share of it says so.
+double rounding_of_pressure(ShippedMaterial const& material) {
+  double const c = answer(material, "sound_speed");
+  return 1e-15 * reference_density(material.spec.eos) * c * c;
+}
+
 TEST(Materials, GiveTheirReferenceState) {
   for (auto const& material : shipped_materials()) {
     EXPECT_GE(material.references.size(), 2u) << material.spec.name;
     for (auto const& reference : material.references) {
       double const found = answer(material, reference.key);
-      EXPECT_NEAR(found, reference.value, reference.tolerance * std::abs(reference.value))
+      EXPECT_NEAR(found, reference.value,
+                  reference.tolerance * std::abs(reference.value) +
+                      (reference.key == "pressure" ? rounding_of_pressure(material) : 0.0))
           << material.spec.name << ' ' << reference.key;
     }
   }
