@@ -22,32 +22,20 @@ std::array<double, no_material> rest_speeds(std::vector<Material> const& materia
   return speeds;
 }
 
-/// How distended each material is where nothing has crushed it.
-std::array<double, no_material> virgin_distensions(std::vector<Material> const& materials) {
-  std::array<double, no_material> all;
-  for (std::size_t m = 0; m < materials.size(); ++m) all[m] = virgin_distension(materials[m].eos);
-  return all;
-}
-
 }  // namespace
 
 /// Lets velocity, compression and stress fade over the step that has just been made, by
 /// exp(-a dt): after the other rates, so that no step is too long for it. Internal energy stays;
-/// what kinetic energy is taken is booked as damping. Pores forget that they were crushed, so
-/// that pressure is one function of density and comes back with it. Only what began in a layer
-/// fades: products and ejecta that come into its space later fly on.
+/// what kinetic energy is taken is booked as damping. Only what began in a layer fades: products
+/// and ejecta that come into its space later fly on.
 void Simulation::absorb() {
   AbsorbingLayers const& layers = model_.absorbing;
   if (!layers.any() || half_step_factor_ == 0.0) return;
   ParticleStore& store = model_.particles;
   auto const speeds = rest_speeds(model_.materials);
-  auto const virgin = virgin_distensions(model_.materials);
   auto const rest = store.scalar(Field::rest_density);
   auto density = store.scalar(Field::density);
   auto const mass = store.scalar(Field::mass);
-  auto const sound = store.scalar(Field::sound_speed);
-  auto const distension =
-      store.has(Field::distension) ? store.scalar(Field::distension) : std::span<double>();
   bool const solid = store.has(Field::deviatoric_stress);
   double const dt = vote_.time_step;
   auto const fade = [&](std::size_t begin, std::size_t end) {
@@ -59,15 +47,13 @@ void Simulation::absorb() {
         place[static_cast<std::size_t>(axis)] = store.component(Field::position, axis)[i];
       double const fading = layers.fading(place);
       if (fading == 0.0) continue;
-      std::size_t const m = store.material()[i];
-      double const left = std::exp(-fading * std::max(speeds[m], sound[i]) * dt);
+      double const left = std::exp(-fading * speeds[store.material()[i]] * dt);
       for (int axis = 0; axis < model_.dimension; ++axis) {
         double& v = store.component(Field::velocity, axis)[i];
         taken += 0.5 * mass[i] * v * v * (1.0 - left * left);
         v *= left;
       }
       if (density_is_state()) density[i] = rest[i] + (density[i] - rest[i]) * left;
-      if (!distension.empty()) distension[i] = virgin[m];
       if (solid)
         for (int k = 0; k < components(Rank::symmetric, model_.dimension); ++k)
           store.component(Field::deviatoric_stress, k)[i] *= left;

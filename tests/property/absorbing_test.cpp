@@ -129,7 +129,8 @@ Simulation crushed_sand(double length, bool absorbs) {
   return simulation;
 }
 
-/// Largest difference of speed before x = 0.65 m from that in sand that goes on for long.
+/// Largest difference of speed before x = 0.65 m from that in sand that goes on for long; the pulse
+/// arrives at the layer with 5.2 m/s.
 double comes_back_in_sand(bool absorbs) {
   Simulation const endless = crushed_sand(3.0, false), ends = crushed_sand(1.0, absorbs);
   std::map<std::uint64_t, double> expected;
@@ -147,9 +148,8 @@ double comes_back_in_sand(bool absorbs) {
 
 TEST(AbsorbingLayer, AbsorbsWavesThatCrushPores) {
   double const wall = comes_back_in_sand(false), layer = comes_back_in_sand(true);
-  std::printf("wall %g layer %g\n", wall, layer);
-  EXPECT_GT(wall, 1.0) << "m/s, the wall behind reflects";
-  EXPECT_LT(layer, 0.05 * wall);
+  EXPECT_GT(wall, 0.15 * 5.2) << "the wall behind reflects, and the way back damps";
+  EXPECT_LT(layer, 0.02 * 5.2);
 }
 
 // Products that burst into the space of a layer are left alone, and so is what began elsewhere.

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "probes/point_probe.hpp"
 #include "probes/wall_probe.hpp"
 #include "setup/build_model.hpp"
 #include "setup/wall_parts.hpp"
+#include "step/simulation_setup.hpp"
 #include "support/small_models.hpp"
 
 namespace moraine {
@@ -210,6 +212,52 @@ TEST(SymmetryPlane, LoadsOnWallsAreThoseOfTheWhole) {
     EXPECT_NEAR(a.torque[k] / scale, b.torque[k] / scale, 1e-9);
   }
   EXPECT_GT(norm(b.torque) / scale, 1e-6);
+}
+
+/// Entries of all fields of one particle, by field and component.
+std::vector<std::vector<double>> state_of(ParticleStore const& store, std::size_t i) {
+  std::vector<std::vector<double>> state(field_count);
+  for (FieldInfo const& field : field_table) {
+    if (!store.has(field.field)) continue;
+    for (int k = 0; k < components(field.rank, store.dimension()); ++k)
+      state[static_cast<std::size_t>(field.field)].push_back(store.component(field.field, k)[i]);
+  }
+  return state;
+}
+
+// A particle that passes the plane x = 0 comes back as its image: vectors along x and entries of
+// stress and velocity gradient with one x change their sign, all else stays.
+TEST(SymmetryPlane, TurnsAllOfAParticleThatPasses) {
+  for (int dimension = 1; dimension <= 3; ++dimension) {
+    Model model = with_strength(build_model(charge_in_box(dimension, 12, 1, Precision::full).part));
+    ParticleStore& store = model.particles;
+    store.use(Field::drift);
+    double number = 1.0;
+    for (FieldInfo const& field : field_table)
+      if (field.rank != Rank::scalar && store.has(field.field))
+        for (int k = 0; k < components(field.rank, dimension); ++k)
+          if (field.field != Field::position) store.component(field.field, k)[0] = number++;
+    store.component(Field::position, 0)[0] = -1e-4;
+    auto expected = state_of(store, 0);
+    std::uint64_t const id = store.id()[0];
+    Search search(search_settings(model));
+    search.refresh(store);
+    for (std::size_t f = 0; f < field_count; ++f) {
+      auto& values = expected[f];
+      Rank const rank = field_table[f].rank;
+      if (values.empty() || rank == Rank::scalar) continue;
+      if (rank == Rank::vector) values[0] *= -1.0;
+      if (rank == Rank::symmetric && dimension == 2) values[2] *= -1.0;                     // xy
+      if (rank == Rank::symmetric && dimension == 3) values[3] *= -1.0, values[4] *= -1.0;  // xy xz
+      if (rank == Rank::matrix)
+        for (std::size_t k = 1; k < static_cast<std::size_t>(dimension); ++k) {
+          values[k] *= -1.0;
+          values[k * static_cast<std::size_t>(dimension)] *= -1.0;
+        }
+    }
+    auto const of_id = std::find(store.id().begin(), store.id().end(), id) - store.id().begin();
+    EXPECT_EQ(state_of(store, static_cast<std::size_t>(of_id)), expected) << dimension << "D";
+  }
 }
 
 }  // namespace

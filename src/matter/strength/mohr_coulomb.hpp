@@ -14,9 +14,10 @@ namespace moraine {
 ///   (sigma_1 - sigma_3) + (sigma_1 + sigma_3) sin(phi) <= 2 c cos(phi)
 ///
 /// Source: Chen & Han, Plasticity for Structural Engineers (1988), section 2.3. Plastic
-/// strain runs along sigma_1 - sigma_3 and keeps the volume (angle of dilation zero); the
-/// return is the closest point at the given pressure: to the face of the hexagon, or to one of its
-/// corners.
+/// strain runs along sigma_1 - sigma_3 and keeps the volume (angle of dilation zero), and so does
+/// the return at the given pressure: sigma_1 and sigma_3 change by equal and opposite amounts
+/// and sigma_2 stays, or, where that would change their order, it ends in the corner of the hexagon
+/// there. It is the nearest point of the hexagon for phi = 0 alone.
 /// Symbols: sigma_1 >= sigma_2 >= sigma_3 principal stresses (tension positive), phi
 /// friction_angle [rad], c cohesion [Pa]. Below the pressure of the apex, -c / tan(phi), there is
 /// no shear stress.

@@ -7,7 +7,7 @@ namespace moraine {
 
 /// The part of delta-SPH's density diffusion that takes the smooth gradient of density out.
 ///
-///   d rho_i / dt += - delta c_ij sum_j h (m_j / rho_ij) (grad rho_i + grad rho_j) . grad_i W_ij
+///   d rho_i / dt += - delta sum_j h c_ij (m_j / rho_ij) (grad rho_i + grad rho_j) . grad_i W_ij
 ///
 /// Source: Antuono, Colagrossi, Marrone & Molteni, Comput. Phys. Commun. 181 (2010) 532:
 /// together with terms/density_diffusion.hpp (whose hydrostatic part is then zero) it makes

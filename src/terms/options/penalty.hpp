@@ -14,8 +14,11 @@ namespace moraine {
 /// Source: Liu & Liu, Smoothed Particle Hydrodynamics (2003), chapter 6 (n1 6, n2 4 in codes
 /// that descend from it; 12 and 6 here by default). P in N (per metre of thickness) in 2D, J in 3D.
 /// Departure: the source has lambda = 1, which repels at rest wherever h is more than a spacing;
-/// with lambda = spacing / h particles at rest on a lattice feel nothing. f is the slope of U, so
-/// that kinetic + internal energy + U is conserved. Exponents are whole numbers.
+/// with lambda = spacing / h particles at rest on a lattice feel nothing. f is the slope of U at
+/// constant h, so that kinetic + internal energy + U is then conserved. Where h varies, the reach
+/// varies with it, and U changes besides by
+///   P (p^n1 - p^n2) (h_i' + h_j') / (h_i + h_j)
+/// per pair and time, which nobody books. Exponents are whole numbers.
 template <class Real>
 struct Penalty {
   Real strength;   // P
