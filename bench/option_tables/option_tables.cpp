@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <exception>
 #include <functional>
 #include <string>
 #include <variant>
@@ -16,6 +15,7 @@
 #include "probes/point_probe.hpp"
 #include "setup/build_model.hpp"
 #include "step/simulation.hpp"
+#include "step/simulation_error.hpp"
 #include "verify/l1_errors.hpp"
 #include "verify/shipped_cases.hpp"
 #include "verify/vortex_decay.hpp"
@@ -32,12 +32,12 @@ struct Variant {
 
 using Seconds = std::chrono::duration<double>;
 
-/// The cells that `measure` makes, or `width` times that the run stopped.
+/// The cells that `measure` makes, or `width` times that a guard stopped the run.
 template <class Measure>
 std::string cells(int width, Measure&& measure) {
   try {
     return measure();
-  } catch (std::exception const&) {
+  } catch (SimulationError const&) {
     std::string stopped;
     for (int k = 0; k < width; ++k) stopped += " stopped |";
     return stopped;

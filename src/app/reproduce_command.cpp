@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -11,7 +12,6 @@
 #include <vector>
 
 #include "app/commands.hpp"
-#include "app/exact_profile.hpp"
 #include "app/published_study.hpp"
 #include "app/unit_options.hpp"
 #include "base/input_error.hpp"
@@ -88,22 +88,58 @@ std::string shown(double value, std::string_view unit) {
   return fmt::format("{:.3g} MPa", value * 1e-6);
 }
 
+/// Runs the cases whose results are not there, or are those of another case or program.
 void run_missing(PublishedStudy const& study, std::filesystem::path const& folder, int threads) {
   for (std::string_view const name : cases_of(study)) {
     auto const results = folder / name;
     auto const file = write_case(folder, name);
-    if (has_written_its_end(results)) {
+    if (has_results_of(results, file_sha256(file), build_info())) {
       fmt::print("{}: there already\n", results.string());
       continue;
     }
+    if (holds_a_run(results))
+      fmt::print("{}: of another case or program, or not at its end; run again\n",
+                 results.string());
+    std::fflush(stdout);
     RunOptions run;
     run.case_file = file.string();
     run.output = results.string();
     run.threads = threads;
-    run.force = true;  // what is there was not finished
+    run.force = true;
     if (int const code = run_case(run); code != ExitCode::done)
       throw std::runtime_error(fmt::format("the case {} did not come to its end", name));
   }
+}
+
+/// One line of the table as a line of CSV, in SI units; without a number of ours the fields that
+/// take one are empty.
+std::string csv_line(PublishedNumber const& number, double ours, double difference) {
+  auto const field = [](double value) {
+    return std::isnan(value) ? std::string() : fmt::format("{}", value);
+  };
+  return fmt::format("{},{},{},{},{},{}\n", csv_field(number.case_name),
+                     csv_field(std::string(number.what) + moment(number)), number.unit, field(ours),
+                     number.value, field(difference));
+}
+
+/// Prints our numbers beside those of the study; returns the same as CSV.
+std::string compare(PublishedStudy const& study, std::filesystem::path const& folder) {
+  std::map<std::string_view, Table> gauges;
+  for (std::string_view const name : cases_of(study))
+    gauges.emplace(name, read_table_csv(folder / name / "gauges.csv"));
+  std::string csv = "case,quantity,unit,ours,printed,difference\n";
+  fmt::print("\n{}: {}\n\n{:<22}{:<36}{:>12}{:>12}{:>12}  {}\n", study.name, study.source, "case",
+             "quantity", "ours", "printed", "difference", "note");
+  for (PublishedNumber const& number : study.numbers) {
+    double const ours = taken_of(gauges.at(number.case_name), number);
+    double const difference = (ours - number.value) / number.value;
+    fmt::print("{:<22}{:<36}{:>12}{:>12}{:>12}  {}\n", number.case_name,
+               std::string(number.what) + moment(number), shown(ours, number.unit),
+               shown(number.value, number.unit),
+               std::isnan(ours) ? "-" : fmt::format("{:+.0f} %", 100.0 * difference), number.note);
+    csv += csv_line(number, ours, difference);
+  }
+  return csv;
 }
 
 int reproduce(ReproduceOptions const& options) {
@@ -116,23 +152,9 @@ int reproduce(ReproduceOptions const& options) {
   std::filesystem::path const folder =
       options.output.empty() ? "out/" + options.study : options.output;
   run_missing(study, folder, options.threads);
-  std::map<std::string_view, Table> gauges;
-  for (std::string_view const name : cases_of(study))
-    gauges.emplace(name, read_table_csv(folder / name / "gauges.csv"));
-  Table table = table_of({{"ours", ""}, {"printed", ""}, {"difference", ""}});
-  fmt::print("\n{}: {}\n\n{:<22}{:<36}{:>12}{:>12}{:>12}  {}\n", study.name, study.source, "case",
-             "quantity", "ours", "printed", "difference", "note");
-  for (PublishedNumber const& number : study.numbers) {
-    double const ours = taken_of(gauges.at(number.case_name), number);
-    double const difference = (ours - number.value) / number.value;
-    fmt::print("{:<22}{:<36}{:>12}{:>12}{:>12}  {}\n", number.case_name,
-               std::string(number.what) + moment(number), shown(ours, number.unit),
-               shown(number.value, number.unit),
-               std::isnan(ours) ? "-" : fmt::format("{:+.0f} %", 100.0 * difference), number.note);
-    add_row(table, {ours, number.value, difference});
-  }
+  std::string const csv = compare(study, folder);
   fmt::print("\n{}", study.reasons);
-  if (!options.csv.empty()) write_csv(table, options.csv);
+  if (!options.csv.empty()) write_text(options.csv, csv);
   return ExitCode::done;
 }
 
@@ -143,7 +165,8 @@ void add_reproduce_command(CLI::App& app, ReproduceOptions& options) {
       "reproduce", "run the cases of a published study and set our numbers beside its own");
   command->add_option("study", options.study, "study (default: list them)");
   command->add_option("--output,-o", options.output,
-                      "folder for the runs (default: out/<study>); finished ones are kept");
+                      "folder for the runs (default: out/<study>); finished ones of the same case "
+                      "and program are kept");
   command->add_option("--csv", options.csv, "write the numbers to this file");
   command->add_option("--threads,-t", options.threads, "number of threads (default: all)")
       ->check(CLI::Range(0, 1024));

@@ -19,6 +19,20 @@
 namespace moraine {
 namespace {
 
+using Json = nlohmann::json;
+
+/// No object where there is none or it is damaged.
+Json manifest_of(std::filesystem::path const& folder) {
+  std::ifstream file(folder / "manifest.json");
+  return Json::parse(file, nullptr, false);
+}
+
+/// Empty where there is no such text.
+std::string text_in(Json const& json, char const* key) {
+  if (!json.is_object() || !json.contains(key) || !json[key].is_string()) return {};
+  return json[key].get<std::string>();
+}
+
 void drop_snapshots(std::filesystem::path const& folder) {
   static std::regex const ours("(particles|walls)_at_step_[0-9]{9,}\\.vtp");
   remove_files(folder / "snapshots",
@@ -32,9 +46,16 @@ bool holds_a_run(std::filesystem::path const& folder) {
 }
 
 bool has_written_its_end(std::filesystem::path const& folder) {
-  std::ifstream file(folder / "manifest.json");
-  auto const manifest = nlohmann::json::parse(file, nullptr, false);
-  return manifest.is_object() && manifest.contains("state") && manifest["state"] == "ended";
+  return text_in(manifest_of(folder), "state") == "ended";
+}
+
+bool has_results_of(std::filesystem::path const& folder, std::string const& case_sha256,
+                    BuildInfo const& build) {
+  Json const manifest = manifest_of(folder);
+  return text_in(manifest, "case_sha256") == case_sha256 &&
+         text_in(manifest, "version") == build.version &&
+         text_in(manifest, "git_revision") == build.git_revision && manifest.contains("end") &&
+         text_in(manifest["end"], "reason") == "end time reached";
 }
 
 void make_run_folder(std::filesystem::path const& folder) {

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <string>
 
+#include "output/manifest.hpp"
+
 namespace moraine {
 
 /// The state of another run that a run started from, sealed; a run that goes on needs it.
@@ -17,6 +19,12 @@ bool holds_a_run(std::filesystem::path const& folder);
 /// True when the last run in a folder wrote its end into the manifest: it was neither killed nor is
 /// it going on.
 bool has_written_its_end(std::filesystem::path const& folder);
+
+/// True when the last run in a folder came to its end time, and read a case file with this digest
+/// (file_sha256) in a program of this version and revision: its results are those that a run now
+/// would give.
+bool has_results_of(std::filesystem::path const& folder, std::string const& case_sha256,
+                    BuildInfo const& build);
 
 /// Makes the folder of a run, or clears it of what an earlier run wrote: frames, pictures,
 /// checkpoints, copies of bodies, snapshots, status and report, requests. Other people's files

@@ -17,15 +17,8 @@ namespace moraine {
 namespace {
 
 std::string heading(TableColumn const& column) {
-  std::string const text =
-      column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (char const c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
+  return csv_field(column.unit.empty() ? column.name
+                                       : fmt::format("{} [{}]", column.name, column.unit));
 }
 
 TableColumn parse_heading(std::string const& text) {
@@ -69,6 +62,16 @@ bool parse_row(std::string_view line, std::vector<double>& row) {
 }
 
 }  // namespace
+
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (char const c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
 
 TableCsv::TableCsv(std::filesystem::path path, std::vector<TableColumn> columns)
     : path_(std::move(path)), columns_(std::move(columns)) {

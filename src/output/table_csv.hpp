@@ -59,6 +59,9 @@ struct Table {
   std::vector<double> const* find(std::string_view name) const;
 };
 
+/// A text as a field of such a file: quoted as in RFC 4180, section 2, where it needs to be.
+std::string csv_field(std::string_view text);
+
 /// A table as TableCsv writes it: the shortest decimals that read back to the same double.
 std::string csv_text(Table const& table);
 

@@ -17,9 +17,21 @@ bool keeps_apart(Case const& c) {
   });
 }
 
+/// The velocity that the correction sees of a wall with free slip is that of its dummies, not of
+/// the place beside the fluid: the main sweep tells them apart where a wall turns.
+void check_turning_walls(Case const& c, Source& source) {
+  std::string const key = "numerics.gradient_correction";
+  if (c.numerics.gradient_correction == GradientCorrection::off || !source.good(key)) return;
+  for (WallSpec const& wall : c.walls)
+    if (wall.motion.motion && wall.motion.motion->rotation.given())
+      return source.report_value(key, "knows no walls that turn, as " + wall.name + " does",
+                                 "leave it out");
+}
+
 }  // namespace
 
 void check_options(Case const& c, Source& source) {
+  check_turning_walls(c, source);
   Numerics const& n = c.numerics;
   std::string const viscosity = "numerics.physical_viscosity";
   if (n.physical_viscosity != ViscosityForm::off && source.good(viscosity) && !any_viscosity(c))

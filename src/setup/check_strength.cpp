@@ -47,6 +47,21 @@ double apex_of(Strength const& strength) {
   return never;
 }
 
+/// Without dilation plane strain ends at s_zz = 0, and compression along one axis to sigma_3 yields
+/// where -sigma_3 / 2 = k - 3 alpha sigma_3 / 2: nowhere from 3 alpha = 1 on, which is no sine of a
+/// friction angle.
+void add_slope_warning(Case const& c, MaterialSpec const& material,
+                       std::vector<InputProblem>& warnings) {
+  double const slope = 3.0 * material.strength.yield_slope.value_or(0.0);
+  if (slope < 1.0) return;
+  warnings.push_back(problem_of(
+      c, "material." + material.name + ".strength.yield_slope",
+      fmt::format("lets plane strain bear any compression: three times it is {:.3g}, and "
+                  "from one on it never yields there",
+                  slope),
+      "take kind = \"mohr_coulomb\""));
+}
+
 }  // namespace
 
 void check_strength(MaterialSpec const& material, std::string const& key, Source& source) {
@@ -65,8 +80,10 @@ void check_strength(MaterialSpec const& material, std::string const& key, Source
   }
   double const floor = floor_of(material.eos);
   if (material.tension == TensionEnd::spall && !(std::isfinite(floor) && floor < 0.0))
-    source.report_value(key + "tension", "needs a least pressure below zero, where it parts",
-                        "give least_pressure, of eos mie_grueneisen, us_up, linear or p_alpha");
+    source.report_value(
+        key + "tension", "needs a least pressure below zero, where it parts",
+        "give least_pressure, of eos mie_grueneisen, us_up, linear or p_alpha, or tension = "
+        "\"floor\"");
   if (spec.kind != StrengthKind::none && material.burn.kind == BurnKind::programmed)
     source.report_value(prefix + "kind", "is given for an explosive that burns",
                         "leave it out: products are a gas");
@@ -75,6 +92,7 @@ void check_strength(MaterialSpec const& material, std::string const& key, Source
 void add_strength_warnings(Case const& c, std::vector<InputProblem>& warnings) {
   for (MaterialSpec const& material : c.materials) {
     if (material.strength.kind == StrengthKind::none) continue;
+    add_slope_warning(c, material, warnings);
     double const apex = apex_of(strength_of(material.strength));
     double const floor = floor_of(material.eos);
     if (floor < apex * (1.0 + 1e-3) - 1.0)

@@ -231,6 +231,7 @@ Entry<MaterialSpec> use() {
                 shipped_materials()[static_cast<std::size_t>(std::get<int>(value))].spec;
             material.eos = shipped.eos;
             material.strength = shipped.strength;
+            material.tension = shipped.tension;
           },
           [](MaterialSpec const&) { return Value(); }};  // eos and its constants say it all
 }

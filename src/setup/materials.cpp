@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "base/input_error.hpp"
 #include "setup/check_strength.hpp"
@@ -36,6 +37,7 @@ class MaterialReader {
   ShippedMaterial read() {
     material_.meaning = text_at(table_, "meaning", "");
     read_law();
+    read_tension();
     read_strength();
     for (auto const& [key, node] : table_)
       if (!known(key.str()))
@@ -58,21 +60,38 @@ class MaterialReader {
     return text;
   }
 
+  /// Sets a choice by its name, or reports the name with the rule that it breaks.
+  void choose(Entry<MaterialSpec> const& entry, std::string const& name, Stretch place,
+              std::string rule) {
+    auto const& names = entry.parameter.names;
+    auto const found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      source_.report_key(std::string(entry.parameter.key), place, std::move(rule),
+                         name_hint(name, names));
+    else
+      entry.set(material_.spec, static_cast<int>(found - names.begin()));
+  }
+
   void read_law() {
     std::string const law = text_at(table_, "eos", "");
-    for (auto const& [parameter, set, get] : material_entries()) {
-      if (parameter.key == "eos") {
-        auto const found = std::find(parameter.names.begin(), parameter.names.end(), law);
-        if (found == parameter.names.end())
-          source_.report_key("eos", {}, "is no equation of state", name_hint(law, parameter.names));
-        else
-          set(material_.spec, static_cast<int>(found - parameter.names.begin()));
-      }
+    for (auto const& entry : material_entries()) {
+      auto const& [parameter, set, get] = entry;
+      if (parameter.key == "eos") choose(entry, law, {}, "is no equation of state");
       if (parameter.when_key != "eos" || parameter.when_value != law) continue;
       constants_.emplace_back(parameter.key);
       if (auto const value = value_at(table_, std::string(parameter.key), parameter, ""))
         set(material_.spec, *value);
     }
+  }
+
+  /// What becomes of it in tension; may be missing.
+  void read_tension() {
+    auto const* node = table_.get("tension");
+    if (node == nullptr) return;
+    for (auto const& entry : material_entries())
+      if (entry.parameter.key == "tension")
+        choose(entry, text_at(table_, "tension", ""), stretch_of(node->source()),
+               "is no end in tension");
   }
 
   /// [strength] with its kind and a table for each of its constants.
@@ -81,18 +100,13 @@ class MaterialReader {
     if (table == nullptr) return;
     constexpr std::string_view prefix = "strength.";
     std::vector<std::string> known;
-    for (auto const& [parameter, set, get] : material_entries()) {
+    for (auto const& entry : material_entries()) {
+      auto const& [parameter, set, get] = entry;
       if (!parameter.key.starts_with(prefix)) continue;
       std::string const key(parameter.key.substr(prefix.size()));
       known.push_back(key);
       if (key == "kind") {
-        std::string const kind = text_at(*table, key, std::string(prefix));
-        auto const found = std::find(parameter.names.begin(), parameter.names.end(), kind);
-        if (found == parameter.names.end())
-          source_.report_key("strength.kind", {}, "is no strength",
-                             name_hint(kind, parameter.names));
-        else
-          set(material_.spec, static_cast<int>(found - parameter.names.begin()));
+        choose(entry, text_at(*table, key, std::string(prefix)), {}, "is no strength");
       } else if (table->contains(key)) {
         if (auto const value = value_at(*table, key, parameter, std::string(prefix)))
           set(material_.spec, *value);
@@ -146,7 +160,8 @@ class MaterialReader {
   }
 
   bool known(std::string_view key) const {
-    return key == "meaning" || key == "eos" || key == "strength" || key == "reference" ||
+    return key == "meaning" || key == "eos" || key == "tension" || key == "strength" ||
+           key == "reference" ||
            std::find(constants_.begin(), constants_.end(), key) != constants_.end();
   }
 
@@ -202,11 +217,12 @@ std::string describe(ShippedMaterial const& material) {
   if (material.spec.strength.kind != StrengthKind::none)
     text += fmt::format("strength.kind = \"{}\"\n",
                         strength_names[static_cast<std::size_t>(material.spec.strength.kind)]);
+  if (material.spec.tension == TensionEnd::spall) text += "tension = \"spall\"\n";
   for (auto const& value : material.values)
-    text += fmt::format("  {:<24}{:<18}{}\n", value.key, value.text, value.source);
+    text += fmt::format("  {:<26}{:<18}{}\n", value.key, value.text, value.source);
   if (!material.references.empty()) text += "compared with\n";
   for (auto const& reference : material.references)
-    text += fmt::format("  {:<24}{:<18}{}\n", reference.key, reference.text, reference.source);
+    text += fmt::format("  {:<26}{:<18}{}\n", reference.key, reference.text, reference.source);
   return text;
 }
 

@@ -39,8 +39,9 @@ struct ShippedMaterial {
 };
 
 /// Reads a material file: `meaning`, `eos`, one table { value, source } for every constant of that
-/// equation of state, and tables { value, source, tolerance } below `reference`. Throws InputErrors
-/// for anything missing, unknown or invalid, and std::runtime_error for a text that is no TOML.
+/// equation of state, and tables { value, source, tolerance } below `reference`; a solid has a
+/// table `strength` of the same kind, and may have `tension`. Throws InputErrors for anything
+/// missing, unknown or invalid, and std::runtime_error for a text that is no TOML.
 ShippedMaterial parse_material(std::string_view text, std::string_view name);
 
 /// All of them, sorted by name; read once.

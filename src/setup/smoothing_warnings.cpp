@@ -22,6 +22,10 @@ constexpr std::array<double, 3> fewest{4.0, 12.0, 33.0};
 constexpr std::array<double, 3> usual{5.0, 21.0, 57.0};
 constexpr double most = 4.0;  // times the usual number
 
+/// h in spacings with which products that expand keep neighbours though h is constant; with less
+/// they are out of each other's reach soon (cases/tnt-in-water/README.md, measured in 2D).
+constexpr double enough_for_products = 2.0;
+
 /// h in spacings at which the nearest neighbours of a lattice stand where the slope of the kernel
 /// is steepest, 1/q there; with more they may form pairs. Infinite: they do not, or do anyway.
 double inflection_factor(KernelName kernel) {
@@ -52,6 +56,9 @@ class SmoothingWarnings {
     auto const lattices = lattices_of_regions(case_);
     for (std::size_t i = 0; i < lattices.size(); ++i)
       if (has_own_lattice(case_.regions[i])) look_at(case_.regions[i], lattices[i]);
+    if (case_.numerics.smoothing.varies()) return;
+    for (MaterialSpec const& material : case_.materials)
+      if (std::holds_alternative<Jwl>(material.eos)) look_at_products(material.name, lattices);
   }
 
  private:
@@ -71,6 +78,29 @@ class SmoothingWarnings {
       warn("resolution.smoothing_factor", "puts " + pairing(),
            fmt::format("at most {:.3g}, or the kernel wendland_c2", steepest));
     look_at_kernel();
+  }
+
+  /// Of an explosive, by the coarsest lattice that it is filled on; it may come later, by a stage.
+  void look_at_products(std::string const& material, std::vector<Lattice> const& lattices) {
+    double const h = case_.numerics.smoothing_length();
+    double coarsest = 0.0;
+    for (std::size_t i = 0; i < lattices.size(); ++i)
+      if (is_of(case_.regions[i], material)) coarsest = std::max(coarsest, lattices[i].spacing);
+    double const factor = h / (coarsest > 0.0 ? coarsest : case_.numerics.spacing);
+    if (factor > enough_for_products * (1.0 - 1e-6)) return;
+    warn("resolution.smoothing_factor",
+         fmt::format("keeps h at {:.3g} spacings of {} while it expands, and its particles lose "
+                     "their neighbours",
+                     factor, material),
+         "give smoothing = { mode = \"density\" }, or 2 spacings");
+    if (warnings_.back().value.empty())
+      warnings_.back().value = fmt::format("{}", case_.numerics.smoothing_factor);
+  }
+
+  static bool is_of(RegionSpec const& region, std::string const& material) {
+    auto const& layers = region.layers.materials;
+    return region.material == material ||
+           std::find(layers.begin(), layers.end(), material) != layers.end();
   }
 
   void look_at_kernel() {

@@ -13,7 +13,8 @@ double neighbours_within(double reach, int dimension);
 
 /// Adds warnings about the smoothing length: too few neighbours, far too many, pairs under the
 /// cubic spline, for the spacing of the case and for those of regions with a lattice of their own;
-/// and about boxes that are no whole number of their spacings long, whose mass is then another.
+/// about products of explosives whose smoothing length stays while they expand; and about boxes
+/// that are no whole number of their spacings long, whose mass is then another.
 void add_smoothing_warnings(Case const& c, std::vector<InputProblem>& warnings);
 
 }  // namespace moraine

@@ -46,7 +46,7 @@ void add_strength_entries(std::vector<Entry<MaterialSpec>>& table) {
       {.section = Section::material,
        .key = "tension",
        .type = ValueType::choice,
-       .preset = static_cast<int>(TensionEnd::floor),
+       .preset_note = "that of the shipped material, or floor",
        .names = {"floor", "spall"},
        .meaning =
            "what becomes of the material at least_pressure: the pressure stays there, or the "

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "output/atomic_file.hpp"
+#include "output/table_csv.hpp"
 
 namespace moraine {
 namespace {
@@ -17,16 +18,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<char const*, 3> state_names{"done", "failed", "waiting"};
 
-std::string field(std::string const& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (char const c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
 std::string heading(SweepTable::Heading const& column) {
-  return field(column.unit.empty() ? column.label
-                                   : fmt::format("{} [{}]", column.label, column.unit));
+  return csv_field(column.unit.empty() ? column.label
+                                       : fmt::format("{} [{}]", column.label, column.unit));
 }
 
 std::string number(std::optional<double> const& value) {
@@ -34,16 +28,16 @@ std::string number(std::optional<double> const& value) {
 }
 
 std::string value_field(std::variant<double, std::string> const& value) {
-  if (auto const* text = std::get_if<std::string>(&value)) return field(*text);
+  if (auto const* text = std::get_if<std::string>(&value)) return csv_field(*text);
   return fmt::format("{}", std::get<double>(value));
 }
 
 std::string line_of(SweepTable::Member const& member, MemberCost const& cost) {
-  std::string line = fmt::format("{},{}", field(member.name), state_name(member.state));
+  std::string line = fmt::format("{},{}", csv_field(member.name), state_name(member.state));
   for (auto const& value : member.values) line += ',' + value_field(value);
   for (auto const& output : member.outputs) line += ',' + number(output);
   return line + fmt::format(",{},{},{}\n", number(cost.steps), number(cost.wall_time),
-                            field(member.message));
+                            csv_field(member.message));
 }
 
 Json headings_json(std::vector<SweepTable::Heading> const& headings) {

@@ -59,7 +59,7 @@ box = { min = [0.7, 0.0], max = [0.9, 0.2] }
 lithostatic_load = 0.0
 )";
   next.replace(next.find("\"settled\""), 9, "\"coarse\"");
-  EXPECT_EQ(warnings(next).find("smoothing_factor"), std::string::npos) << warnings(next);
+  EXPECT_EQ(warnings(next).find("makes the smoothing length"), std::string::npos) << warnings(next);
   EXPECT_NE(warnings(next).find("region.bed.lithostatic_load: 0.0 counts the weight of the regions "
                                 "above alone, not that of particles which come from the other run"),
             std::string::npos)

@@ -48,6 +48,11 @@ TEST_F(TableCsvTest, QuotesNamesWithCommasAndQuotes) {
   EXPECT_EQ(table.columns[0].unit, "Pa");
 }
 
+TEST(CsvField, IsQuotedWhereItMustBe) {
+  EXPECT_EQ(csv_field("depth"), "depth");
+  EXPECT_EQ(csv_field("crater, \"depth\""), "\"crater, \"\"depth\"\"\"");
+}
+
 TEST_F(TableCsvTest, LeavesOutARowCutOffByAKill) {
   write(path("a.csv"), "time [s],p [Pa]\n0,1\n1,2\n2,3");
   Table const table = read_table_csv(path("a.csv"));

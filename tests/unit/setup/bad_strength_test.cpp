@@ -123,6 +123,26 @@ TEST(BadStrength, AbsorbingLayersThatCannotBe) {
                    "has the side x-, a symmetry plane"));
 }
 
+// With 3 alpha of one no compression in plane strain is too much for the cone.
+TEST(StrengthWarning, AConeTooSteepForPlaneStrainIsTold) {
+  auto const doubts = [](std::string const& slope) -> std::string {
+    std::vector<InputProblem> warnings;
+    add_strength_warnings(
+        parse_case(text_with("eos = \"mie_grueneisen\"\nstrength = { kind = \"drucker_prager\", "
+                             "shear_modulus = 1e7, shear_strength = 0, yield_slope = " +
+                             slope + " }"),
+                   "case.toml"),
+        warnings);
+    return warnings.empty() ? "none" : InputErrors(warnings).what();
+  };
+  EXPECT_EQ(doubts("0.333"), "none");
+  EXPECT_EQ(
+      doubts("0.5"),
+      "case.toml:12:94: material.soil.strength.yield_slope: 0.5 lets plane strain bear any "
+      "compression: three times it is 1.5, and from one on it never yields there; take kind = "
+      "\"mohr_coulomb\"");
+}
+
 // Layers that swallow the case, and what lies in them.
 TEST(AbsorbingWarnings, LayersThatAreTooThickAreTold) {
   auto const told = [](std::string const& sides, std::string const& thickness,

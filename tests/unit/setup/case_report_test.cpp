@@ -5,11 +5,14 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "setup/case_size.hpp"
 #include "setup/case_warnings.hpp"
 #include "setup/read_case.hpp"
+#include "setup/smoothing_warnings.hpp"
 #include "smoothing/any_kernel.hpp"
+#include "verify/shipped_cases.hpp"
 
 namespace moraine {
 namespace {
@@ -164,6 +167,42 @@ TEST(CaseWarnings, KernelsThatPairOrPull) {
     EXPECT_LT(slope(q), slope(0.97 * q)) << kernel_name(kernel);
     EXPECT_LT(slope(q), slope(1.03 * q)) << kernel_name(kernel);
   }
+}
+
+/// What is said of h while products of an explosive expand.
+std::string doubts_of_products(Case const& c) {
+  std::vector<InputProblem> warnings;
+  add_smoothing_warnings(c, warnings);
+  std::string text;
+  for (auto const& warning : warnings)
+    if (warning.rule.find("expands") != std::string::npos) text += format(warning) + '\n';
+  return text;
+}
+
+TEST(CaseWarnings, ProductsThatLoseTheirNeighbours) {
+  auto const with = [](std::string const& resolution, std::string const& charge) {
+    return doubts_of_products(parse_case(
+        "space.dimension = 2\ntime.end = 1\n[resolution]\nspacing = 0.02\n" + resolution +
+            "\n[material.charge]\nuse = \"tnt\"\n[[region]]\nname = \"block\"\n" + charge +
+            "\nmaterial = \"charge\"\nbox = { min = [0, 0], max = [1, 1] }\n",
+        "case.toml"));
+  };
+  std::string const doubt =
+      " spacings of charge while it expands, and its particles lose their neighbours; give "
+      "smoothing = { mode = \"density\" }, or 2 spacings\n";
+  EXPECT_EQ(with("smoothing_factor = 1.5", ""),
+            "case.toml:5:20: resolution.smoothing_factor: 1.5 keeps h at 1.5" + doubt);
+  EXPECT_EQ(with("", ""), "case.toml: resolution.smoothing_factor: 1.2 keeps h at 1.2" + doubt);
+  EXPECT_EQ(with("smoothing_factor = 2", ""), "");
+  EXPECT_EQ(with("smoothing = { mode = \"density\" }", ""), "");
+  EXPECT_EQ(with("", "spacing = 0.01"), "") << "2.4 of its own spacings";
+  EXPECT_EQ(with("smoothing_factor = 2", "spacing = 0.025"),
+            "case.toml:5:20: resolution.smoothing_factor: 2 keeps h at 1.6" + doubt);
+}
+
+TEST(CaseWarnings, ShippedProductsKeepTheirNeighbours) {
+  for (EmbeddedText const& shipped : shipped_cases())
+    EXPECT_EQ(doubts_of_products(shipped_case(shipped.name)), "") << shipped.name;
 }
 
 TEST(CaseWarnings, OutputAgainstTheEnd) {

@@ -120,6 +120,19 @@ TEST(OptionKeys, Mistakes) {
   EXPECT_EQ(message_of("xsph = 2"), "case.toml:5:8: numerics.xsph: 2 must be between 0 and 1");
 }
 
+TEST(OptionKeys, CorrectedGradientsRefuseWallsThatTurn) {
+  auto const message = [](std::string const& motion) {
+    return message_of(
+        "gradient_correction = \"bonet_lok\"",
+        "[[wall]]\nname = \"tank\"\ncontainer = { min = [0, 0], max = [1, 2] }\n" + motion);
+  };
+  EXPECT_EQ(message("motion.rotation = \"0.1 * sin(t)\""),
+            "case.toml:5:23: numerics.gradient_correction: \"bonet_lok\" knows no walls that turn, "
+            "as tank does; leave it out");
+  EXPECT_EQ(message("motion.translation = [\"0.1 * t\", \"0\"]"), "no error");
+  EXPECT_EQ(message(""), "no error");
+}
+
 TEST(OptionKeys, Doubts) {
   EXPECT_EQ(doubts_of("xsph = 0.5"), "none");
   EXPECT_EQ(doubts_of("", "dynamic_viscosity = 1e-3"),
