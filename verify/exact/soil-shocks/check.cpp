@@ -18,6 +18,11 @@
 namespace moraine {
 namespace {
 
+constexpr char const* page = "verify/exact/soil-shocks/README.md";
+/// Regression bound: what swings behind the front add to the plastic work of unsaturated clay, 17.6
+/// and 15.3 % of it.
+constexpr double worst_of_pores = 0.2;
+
 CheckResult within_3_percent(std::string const& name, double measured, double reference,
                              char const* unit) {
   return compare("soil-shocks: " + name, measured, reference, 0.03 * reference, unit,
@@ -75,6 +80,8 @@ void add_solid(Impact const& impact, double spacing, std::vector<CheckResult>& r
   results.push_back(impact.row("plastic work", behind(plastic_work_of),
                                plastic_work(*law, rho, exact.density), "J/kg"));
   results.back().note = "exact: compressed once, never let go";
+  if (std::holds_alternative<PAlpha>(material.eos))
+    results.back() = explained(results.back(), worst_of_pores * results.back().reference, page);
 }
 
 MaterialSpec aluminium() {
