@@ -43,6 +43,7 @@ Model random_box(RandomBox const& box, double end) {
   model.materials = {{"light", liquid(1000.0)}};
   bool const two = box.scheme != SchemeName::liquid;
   if (two) model.materials.push_back({"heavy", liquid(3000.0)});
+  for (Material& material : model.materials) material.penalty_group = material.name;
   model.particles = ParticleStore(box.dimension);
   ParticleStore& store = model.particles;
   Dice dice(box.seed);
