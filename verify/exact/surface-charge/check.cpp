@@ -4,27 +4,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "exact/riemann.hpp"
-#include "exact/uniaxial_solid.hpp"
+#include "particle_order.hpp"
+#include "plane_slab.hpp"
 #include "probes/connected_body.hpp"
 #include "probes/crater_probe.hpp"
 #include "probes/point_probe.hpp"
 #include "setup/build_model.hpp"
-#include "setup/check_strength.hpp"
 #include "setup/materials.hpp"
 #include "step/simulation.hpp"
 #include "verify/l1_errors.hpp"
-#include "verify/particle_value.hpp"
 #include "verify/shipped_cases.hpp"
 #include "verify/thrown_block.hpp"
 
@@ -32,73 +27,6 @@ namespace moraine {
 namespace {
 
 constexpr double moment = 200e-6;  // s, at which craters are compared
-
-// ---- a plane slab on soil ------------------------------------------------------------------
-
-Case slab_on(MaterialSpec const& soil, double spacing) {
-  Case c;
-  c.dimension = 1;
-  c.domain = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
-  c.numerics.spacing = spacing;
-  c.numerics.smoothing_factor = 2.0;
-  c.numerics.smoothing.mode = SmoothingMode::density;
-  c.numerics.continuity = ContinuityForm::volume;
-  c.numerics.momentum = MomentumForm::mixed;
-  c.numerics.precision = Precision::full;
-  c.time.end = 1e-3;  // never reached
-  c.materials = {shipped_material("tnt").spec, soil};
-  c.regions = {{"slab", "tnt", Box{{0.0, 0.0, 0.0}, {0.3, 0.0, 0.0}}, {}},
-               {"ground", soil.name, Box{{0.3, 0.0, 0.0}, {0.7, 0.0, 0.0}}, {}}};
-  WallSpec wall;
-  wall.name = "end";
-  wall.box = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
-  wall.open[0][1] = true;
-  c.walls = {wall};
-  return c;
-}
-
-Law law_along_axis(MaterialSpec const& soil) {
-  return UniaxialSolid{soil.eos, strength_of(soil.strength)};
-}
-
-RiemannProblem slab_solution(MaterialSpec const& soil) {
-  MaterialSpec const& tnt = shipped_material("tnt").spec;
-  return {{Law(tnt.eos), reference_density(tnt.eos), 0.0, reference_energy(tnt.eos)},
-          {law_along_axis(soil), reference_density(soil.eos), 0.0, reference_energy(soil.eos)}};
-}
-
-/// Farthest place of the ground where the axial stress is above `level`.
-double front(ParticleStore const& store, double level) {
-  double place = 0.3;
-  for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i)
-    if (store.material()[i] == 1 && axial_stress(store, i) > level)
-      place = std::max(place, store.component(Field::position, 0)[i]);
-  return place;
-}
-
-void add_slab(char const* name, double spacing, std::vector<CheckResult>& results) {
-  MaterialSpec const& soil = shipped_material(name).spec;
-  RiemannProblem const exact = slab_solution(soil);
-  double const p = exact.star_pressure();
-  Simulation simulation(build_model(slab_on(soil, spacing)));
-  ParticleStore const& store = simulation.particles();
-  constexpr double depth =
-      0.15;  // m, of the gauge; the plateau lasts until the release from behind
-  while (simulation.running() && front(store, 0.5 * p) < 0.3 + depth) simulation.advance();
-  double const time = simulation.time();
-  double const arrival = depth / exact.right_wave()->head;
-  double const contact = 0.3 + exact.star_velocity() * time;
-  double const shocked = 0.3 + depth - contact;
-  results.push_back(compare(fmt::format("surface-charge: plane slab on {}, arrival", name),
-                            1e6 * time, 1e6 * arrival, 0.03e6 * arrival, "us",
-                            "15 cm inside the ground; exact: Riemann problem"));
-  results.push_back(compare(
-      fmt::format("surface-charge: plane slab on {}, stress", name),
-      1e-9 * mean_of(simulation, axial_stress, contact + 0.2 * shocked, contact + 0.8 * shocked),
-      1e-9 * p, 0.03e-9 * p, "GPa", "plateau behind the shock"));
-}
-
-// ---- charges on the surface ----------------------------------------------------------------
 
 Case charge(int cm, double spacing, Precision precision) {
   Case c = shipped_case(fmt::format("surface-charge-{}cm", cm));
@@ -130,78 +58,6 @@ double pressure_at(Simulation const& simulation, Vec3 const& place) {
   return probe_point(simulation.particles(), simulation.search(), numerics.kernel,
                      numerics.smoothing_length(), place)
       .pressure;
-}
-
-using Place = std::array<double, 2>;  // m
-
-/// The least way out of the domain [m]; zero beyond its sides, where a particle is about to be
-/// removed.
-double way_out(Model const& model, Place const& place) {
-  double way = std::numeric_limits<double>::infinity();
-  for (std::size_t axis = 0; axis < 2; ++axis)
-    way =
-        std::min({way, place[axis] - model.domain_min[axis], model.domain_max[axis] - place[axis]});
-  return std::max(way, 0.0);
-}
-
-/// Largest difference between a particle and the one that began as its mirror image [spacings]. Of
-/// one that has left the domain it is known that it is beyond its sides: the other is off by its
-/// own way out at least.
-double asymmetry(Simulation const& simulation, std::vector<std::uint64_t> const& mirror) {
-  ParticleStore const& store = simulation.particles();
-  std::vector<std::optional<Place>> at(mirror.size());
-  for (std::size_t i = 0; i < store.range(Kind::fluid).size(); ++i)
-    at[store.id()[i]] = {store.component(Field::position, 0)[i],
-                         store.component(Field::position, 1)[i]};
-  double worst = 0.0;
-  for (std::size_t id = 0; id < mirror.size(); ++id) {
-    auto const& here = at[id];
-    auto const& there = at[mirror[id]];
-    if (!here) continue;  // told by its image
-    worst = std::max(worst, there ? std::max(std::fabs((*here)[0] + (*there)[0]),
-                                             std::fabs((*here)[1] - (*there)[1]))
-                                  : way_out(simulation.model(), *here));
-  }
-  return worst / simulation.model().numerics.spacing;
-}
-
-/// Number of the particle that begins at the mirror image of each.
-std::vector<std::uint64_t> mirror_images(ParticleStore const& store) {
-  std::size_t const count = store.range(Kind::fluid).size();
-  std::vector<std::uint64_t> mirror(count);
-  auto const x = store.component(Field::position, 0), y = store.component(Field::position, 1);
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t j = 0; j < count; ++j)
-      if (std::fabs(x[i] + x[j]) < 1e-6 && std::fabs(y[i] - y[j]) < 1e-6 &&
-          store.material()[i] == store.material()[j])
-        mirror[store.id()[i]] = store.id()[j];
-  return mirror;
-}
-
-/// Particles alone inside the other material: all their neighbours within 1.5 of their own size,
-/// which grows as gas expands, belong to it, and lie around them. Gas at the wall of the crater has
-/// sand on one side only.
-int strangers(ParticleStore const& store) {
-  std::size_t const count = store.range(Kind::fluid).size();
-  auto const x = store.component(Field::position, 0), y = store.component(Field::position, 1);
-  auto const mass = store.scalar(Field::mass), density = store.scalar(Field::density);
-  int found = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    double const reach = 1.5 * std::sqrt(mass[i] / density[i]);
-    int own = 0, other = 0;
-    double side_x = 0.0, side_y = 0.0;  // sum of unit vectors to the others
-    for (std::size_t j = 0; j < count; ++j) {
-      if (j == i || std::fabs(x[i] - x[j]) > reach || std::fabs(y[i] - y[j]) > reach) continue;
-      double const distance = std::hypot(x[i] - x[j], y[i] - y[j]);
-      if (distance > reach) continue;
-      (store.material()[i] == store.material()[j] ? own : other) += 1;
-      side_x += (x[j] - x[i]) / distance;
-      side_y += (y[j] - y[i]) / distance;
-    }
-    bool const around = std::hypot(side_x, side_y) < 0.5 * other;
-    found += own == 0 && around ? 1 : 0;
-  }
-  return found;
 }
 
 /// The same charge with a particle of TNT that starts 10 cm deep in the sand, where it blows itself
