@@ -45,7 +45,10 @@ struct CorrectedGradient {
       Real rate = number<Real>(0);
       Real work = number<Real>(0);
       Real slipping[D];
-      seen_velocity<wall>(pair, i, j, slipping);
+      if constexpr (wall)
+        slipping_velocity<D>(i, j, slipping);
+      else
+        for (int axis = 0; axis < D; ++axis) slipping[axis] = pair.v[axis];
       for (int axis = 0; axis < D; ++axis) {
         Real const turned = row_times<D>(own, pair.x, axis);
         Real push = p_i * turned;
@@ -63,28 +66,6 @@ struct CorrectedGradient {
       }
       sum.density_rate += weight * rate * (volume ? rho_ratio : number<Real>(1));
       sum.energy_rate += number<Real>(wall ? 1.0 : 0.5) * weight * work;
-    }
-  }
-
- private:
-  /// v_ij as the continuity equation sees it.
-  template <bool wall, int D, class Self, class Neighbour>
-  MORAINE_FORMULA static void seen_velocity(OptionPair<Real, D> const& pair, Self const& i,
-                                            Neighbour const& j, Real (&v)[D]) {
-    if constexpr (!wall) {
-      for (int axis = 0; axis < D; ++axis) v[axis] = pair.v[axis];
-    } else {
-      Real along = number<Real>(0);
-      Real length2 = number<Real>(0);
-      for (int axis = 0; axis < D; ++axis) {
-        v[axis] = velocity(i, axis) - wall_velocity(j, axis);
-        along += v[axis] * normal(j, axis);
-        length2 += normal(j, axis) * normal(j, axis);
-      }
-      for (int axis = 0; axis < D; ++axis) {
-        Real const slipping = along * normal(j, axis) + (number<Real>(1) - length2) * v[axis];
-        v[axis] = select(number<Real>(0) < wall_depth(j), slipping, v[axis]);
-      }
     }
   }
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/macros.hpp"
+#include "terms/pair_fields.hpp"
 
 namespace moraine {
 
@@ -14,6 +15,23 @@ struct OptionPair {
   Real kernel;     // W_ij [1/m^d]
   Real gradient;   // grad_i W_ij = gradient * x [1/m^(d+2)]
 };
+
+/// v_ij as continuity and strain see it at a wall: with free slip only the part along its normal,
+/// behind edges and corners, which have none, and without slip all of it (look_at_wall in
+/// terms/sweep.hpp).
+template <int D, class Real, class Self, class Wall>
+MORAINE_FORMULA void slipping_velocity(Self const& i, Wall const& j, Real (&v)[D]) {
+  Real along = number<Real>(0);
+  Real length2 = number<Real>(0);
+  for (int axis = 0; axis < D; ++axis) {
+    v[axis] = velocity(i, axis) - wall_velocity(j, axis);
+    along += v[axis] * normal(j, axis);
+    length2 += normal(j, axis) * normal(j, axis);
+  }
+  for (int axis = 0; axis < D; ++axis)
+    v[axis] = select(number<Real>(0) < wall_depth(j),
+                     along * normal(j, axis) + (number<Real>(1) - length2) * v[axis], v[axis]);
+}
 
 /// Sums of one particle. Unlike the terms of the main sweep these make force and heat themselves:
 /// not all of them push along grad W.

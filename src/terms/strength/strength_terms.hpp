@@ -61,16 +61,7 @@ struct VelocityGradient {
     Real weight = pair.gradient;
     if constexpr (wall) {
       weight = weight * lattice_volume(j);
-      Real along = number<Real>(0);
-      Real length2 = number<Real>(0);
-      for (int axis = 0; axis < D; ++axis) {
-        v[axis] = velocity(i, axis) - wall_velocity(j, axis);
-        along += v[axis] * normal(j, axis);
-        length2 += normal(j, axis) * normal(j, axis);
-      }
-      for (int axis = 0; axis < D; ++axis)
-        v[axis] = select(number<Real>(0) < wall_depth(j),
-                         along * normal(j, axis) + (number<Real>(1) - length2) * v[axis], v[axis]);
+      slipping_velocity<D>(i, j, v);
     } else {
       weight = weight * volume(j);
       for (int axis = 0; axis < D; ++axis) v[axis] = pair.v[axis];
