@@ -25,6 +25,9 @@ constexpr int color_levels = 255;
 // Discs of the square root of two spacings just cover a square lattice.
 constexpr double overlap = 1.42;
 
+/// Least width over height of a view: title and number of particles need the room above the plot.
+constexpr double narrowest_view = 150.0 / 440.0;
+
 /// The part of the domain that is shown [m], with the axes of the page.
 struct View {
   std::size_t across = 0, up = 1;  // axes of the frame
@@ -47,6 +50,12 @@ struct View {
     bottom -= margin;
     top += margin;
   }
+  void widen_to_narrowest() {
+    double const lacking = narrowest_view * height() - width();
+    if (!(lacking > 0.0)) return;
+    left -= 0.5 * lacking;
+    right += 0.5 * lacking;
+  }
   double width() const { return right - left; }
   double height() const { return top - bottom; }
 };
@@ -55,13 +64,13 @@ struct View {
 /// it, or lies below where the plot is wide and low.
 struct Layout {
   static constexpr double left = 54.0, top = 28.0, axis_below = 36.0;
-  static constexpr double widest = 400.0, highest = 440.0, narrowest = 150.0;
+  static constexpr double widest = 400.0, highest = 440.0;
 
   explicit Layout(View const& view) {
     double const aspect = view.height() / view.width();
     lying_bar = aspect < 0.45;
     plot = {left, top, widest, widest * aspect};
-    if (plot.height > highest) plot = {left, top, std::max(narrowest, highest / aspect), highest};
+    if (plot.height > highest) plot = {left, top, highest / aspect, highest};
     if (lying_bar) {
       bar = {left, plot.bottom() + axis_below + 10.0, plot.width, 10.0};
       page_width = plot.right() + 20.0;
@@ -208,6 +217,7 @@ View view_of(ParticleFrame const& frame, ParticleFrame const& walls, double spac
   double const farthest = std::max(
       {std::abs(view.left), std::abs(view.right), std::abs(view.bottom), std::abs(view.top)});
   view.widen(std::max(0.5 * spacing + (extent > 0.0 ? 0.01 * extent : 0.5), 1e-9 * farthest));
+  view.widen_to_narrowest();
   return view;
 }
 

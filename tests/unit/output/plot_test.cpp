@@ -148,6 +148,16 @@ TEST_F(PlotTest, FrameShowsTheValueOfEachParticle) {
   expect_two_halves(path("a.png"));
 }
 
+// A view ten times as high as wide has empty sides: both axes keep one scale.
+TEST_F(PlotTest, TallFramesKeepTheirShape) {
+  write_vtp(path("a.vtp"), halves(2, 10, 100), Kind::fluid, 0.0);
+  plot_frame(path("a.vtp"), "pressure", path("a.png"));
+  double const scale = plot::pixels_per_point * 440.0 / 1.03;  // a metre and its margins, in pixels
+  double const half = 0.05 * scale * 1.0 * scale;
+  EXPECT_NEAR(Picture(path("a.png")).count(plot::viridis(0.0)), half, 0.1 * half);
+  EXPECT_NEAR(Picture(path("a.png")).count(plot::viridis(1.0)), half, 0.1 * half);
+}
+
 TEST_F(PlotTest, FrameIn3dIsLookedAtFromTheSide) {
   ParticleStore store = halves(3, 60, 30);
   write_vtp(path("a.vtp"), store, Kind::fluid, 0.0);
