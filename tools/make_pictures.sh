@@ -38,4 +38,5 @@ frame_of surface-charge-6cm pressure 000003 soil-surface
 frame_of crest-charge plastic_strain 000005 soil-slope
 frame_of bed-charge material 000004 soil-bed
 frame_of c4-in-soil velocity 000005 soil-c4
+frame_of c4-in-soil-3d velocity 000004 soil-c4-air
 say "pictures: $images"
