@@ -53,6 +53,8 @@ constexpr double worst_height = 3.2;       // cm
 /// 0.028 s at P6 and P8 on the lid, and 10.4 % of the impulse at P5 beside its edge.
 constexpr double worst_on_lid = 0.04;       // s
 constexpr double worst_beside_edge = 0.13;  // of the impulse
+/// 17 % of the impulse at P3 and P4.
+constexpr double worst_high_on_front = 0.2;
 
 /// What was measured, from the file: when the pressure first reaches 1 kPa, and its integral over
 /// the pulse of the face.
@@ -154,6 +156,16 @@ std::vector<CheckResult> pressures(std::span<PressureGauge const> gauges, Face c
   return results;
 }
 
+/// The front; the page says of the impulses at P3 and P4 what is known.
+std::vector<CheckResult> pressures_on_front(std::vector<DamBreak> const& dams) {
+  std::vector<CheckResult> results = pressures(on_front, front, dams);
+  for (std::size_t const gauge : {2U, 3U}) {
+    CheckResult& impulse = results[2 * gauge + 1];
+    impulse = explained(impulse, worst_high_on_front * on_front[gauge].impulse, page);
+  }
+  return results;
+}
+
 /// The rows of the lid that the page explains: all times, and the impulse beside the edge.
 std::vector<CheckResult> pressures_on_lid(std::vector<DamBreak> const& dams) {
   std::vector<CheckResult> results = pressures(on_lid, lid, dams);
@@ -228,7 +240,7 @@ std::vector<CheckResult> check_kleefsman(Effort effort) {
   std::vector<DamBreak> const dams{whole.front(), run(tank, fine, end)};
   for (Arrival const& water : water_there) add({arrival(water, dams)});
   add({explained(arrival(behind_box, dams), worst_behind_box, page)});
-  add(pressures(on_front, front, dams));
+  add(pressures_on_front(dams));
   add(pressures_on_lid(whole));
   add({back_again(whole.front()),
        explained(height(whole.front(), "H4", "H4_x2638mm_m", 1.5), worst_height, page)});
