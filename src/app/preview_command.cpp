@@ -23,6 +23,7 @@
 #include "setup/read_case.hpp"
 #include "setup/region_lattice.hpp"
 #include "setup/start_particles.hpp"
+#include "store/place.hpp"
 
 namespace moraine {
 namespace {
@@ -47,13 +48,6 @@ void check_folder(std::filesystem::path const& folder) {
   if (!rule.empty())
     throw InputErrors({{"moraine preview", 0, 0, "--output", fmt::format("\"{}\"", folder.string()),
                         std::move(rule), "choose another folder with --output"}});
-}
-
-Vec3 place_of(ParticleStore const& store, std::size_t i) {
-  Vec3 place{};
-  for (int axis = 0; axis < store.dimension(); ++axis)
-    place[static_cast<std::size_t>(axis)] = store.component(Field::position, axis)[i];
-  return place;
 }
 
 /// Pressure and sound speed, which a model does not have before its first step.

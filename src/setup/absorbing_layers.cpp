@@ -2,6 +2,8 @@
 
 #include <variant>
 
+#include "store/place.hpp"
+
 namespace moraine {
 namespace {
 
@@ -32,10 +34,7 @@ void add_absorbing_layers(Case const& c, Model& model) {
   if (!model.absorbing.any()) return;
   store.use(Field::rest_density);
   for (std::size_t i = 0; i < count; ++i) {
-    Point place{};
-    for (int axis = 0; axis < c.dimension; ++axis)
-      place[static_cast<std::size_t>(axis)] = store.component(Field::position, axis)[i];
-    if (can_absorb(model, i) && model.absorbing.fading(place) > 0.0)
+    if (can_absorb(model, i) && model.absorbing.fading(place_of(store, i)) > 0.0)
       store.scalar(Field::rest_density)[i] = store.scalar(Field::density)[i];
   }
 }

@@ -7,16 +7,10 @@
 #include <variant>
 
 #include "setup/parameter.hpp"
+#include "store/place.hpp"
 
 namespace moraine {
 namespace {
-
-Point place_of(ParticleStore const& store, std::size_t i) {
-  Point place{};
-  for (int axis = 0; axis < store.dimension(); ++axis)
-    place[static_cast<std::size_t>(axis)] = store.component(Field::position, axis)[i];
-  return place;
-}
 
 /// Shares of the particles of each material that begin in a layer.
 std::vector<double> shares_in_layers(Model const& model) {

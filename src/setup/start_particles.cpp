@@ -14,16 +14,10 @@
 #include "setup/territory.hpp"
 #include "setup/used_case.hpp"
 #include "smoothing/kernel_names.hpp"
+#include "store/place.hpp"
 
 namespace moraine {
 namespace {
-
-Point place_of(ParticleStore const& store, std::size_t i) {
-  Point place{};
-  for (int axis = 0; axis < store.dimension(); ++axis)
-    place[static_cast<std::size_t>(axis)] = store.component(Field::position, axis)[i];
-  return place;
-}
 
 // Whether a point lies in the box of a wall, grown on its sides, of a container on its closed ones.
 bool lies_in(WallSpec const& wall, Point const& point, int dimension, double growth) {

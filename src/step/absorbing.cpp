@@ -4,6 +4,7 @@
 
 #include "base/parallel_for.hpp"
 #include "step/simulation.hpp"
+#include "store/place.hpp"
 
 namespace moraine {
 
@@ -42,10 +43,7 @@ void Simulation::absorb() {
     double taken = 0.0;
     for (std::size_t i = begin; i < end; ++i) {
       if (rest[i] == 0.0) continue;  // began elsewhere, or is a gas that only came by
-      Vec3 place{};
-      for (int axis = 0; axis < model_.dimension; ++axis)
-        place[static_cast<std::size_t>(axis)] = store.component(Field::position, axis)[i];
-      double const fading = layers.fading(place);
+      double const fading = layers.fading(place_of(store, i));
       if (fading == 0.0) continue;
       double const left = std::exp(-fading * speeds[store.material()[i]] * dt);
       for (int axis = 0; axis < model_.dimension; ++axis) {
