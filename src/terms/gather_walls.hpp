@@ -2,17 +2,11 @@
 #pragma once
 
 #include "base/parallel_for.hpp"
+#include "store/place.hpp"
 #include "terms/pair_records.hpp"
 #include "terms/wall_extrapolation.hpp"
 
 namespace moraine {
-
-inline Vec3 place_of_wall(ParticleStore const& store, std::size_t k) {
-  Vec3 place{};
-  for (int axis = 0; axis < store.dimension(); ++axis)
-    place[static_cast<std::size_t>(axis)] = store.component(Field::position, axis)[k];
-  return place;
-}
 
 /// Place, velocity, normal and depth of wall particle i of the records.
 template <class Pairs>
@@ -20,7 +14,7 @@ void place_wall(Pairs& pairs, ParticleStore const& store, FixedPoint const& map,
                 WallData const& walls, std::size_t i) {
   std::size_t const k = store.range(Kind::wall).begin + i;
   WallPoint const& point = walls.points[store.id()[k] - walls.first_id];
-  Vec3 const place = place_of_wall(store, k);
+  Vec3 const place = place_of(store, k);
   Vec3 const velocity = walls.velocity(point, place);
   Vec3 const normal = walls.normal(point);
   [[maybe_unused]] Vec3 const turn = cross(normal, walls.angular_velocity(point));
@@ -53,7 +47,7 @@ void continue_into_wall(Pairs const& pairs, ParticleStore& store, Search const& 
   std::array<double, 3> gravity = pairs.parameters.gravity;
   if (walls.move()) {
     WallPoint const& point = walls.points[store.id()[k] - walls.first_id];
-    gravity = subtract(gravity, walls.acceleration(point, place_of_wall(store, k)));
+    gravity = subtract(gravity, walls.acceleration(point, place_of(store, k)));
   }
   WallState const state = extrapolate<Pairs::reference, typename Pairs::Real, Pairs::dimension,
                                       typename Pairs::Kernel, typename Pairs::FluidLayout>(
